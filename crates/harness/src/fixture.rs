@@ -1,0 +1,160 @@
+//! `Fixture`: a scene file with its check, ready to be rendered and judged.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+use scene::{Assets, Encoding, MAX_SCENE_BYTES, SceneFile};
+pub use tracer::accel::Build;
+use tracer::{LinearImage, Scene, render};
+
+use crate::check::Check;
+use crate::encode::{Transfer, encode};
+use crate::expectation::Rendered;
+use crate::golden::Provenance;
+use crate::store::{self, FolderAssets};
+
+/// A fixture without problems.
+#[derive(Debug, Clone)]
+pub struct Fixture {
+    /// What can be rendered.
+    pub scene: Scene,
+    /// What its picture is held to.
+    pub check: Check,
+    /// How its picture is stored.
+    pub transfer: Transfer,
+    /// The content that decides its picture.
+    pub provenance: Provenance,
+}
+
+impl Fixture {
+    /// The fixture in the file at `path`, called `name` in messages.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, as text for people.
+    pub fn open(name: &str, path: &Path, build: Build) -> Result<Self, String> {
+        let bytes = store::read(path, MAX_SCENE_BYTES as u64)
+            .map_err(|error| format!("{name}: {}\n", error.what))?
+            .ok_or_else(|| format!("{name}: there is no such file\n"))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let at = error.utf8_error().valid_up_to();
+            format!("{name}: expected UTF-8 text, found another byte at offset {at}\n")
+        })?;
+        Self::read(name, &text, &FolderAssets::beside(path), build)
+    }
+
+    /// The fixture of this text.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, as text for people.
+    pub fn read(name: &str, text: &str, assets: &dyn Assets, build: Build) -> Result<Self, String> {
+        let assets = Hashing { inner: assets, seen: RefCell::default() };
+        let loaded = scene::load::<Check>(text, &assets, build)
+            .map_err(|problems| scene::report(name, text, &problems))?;
+        let transfer = match loaded.file.encoding {
+            Encoding::Gamma22 => Transfer::Gamma22,
+            Encoding::Srgb => Transfer::Srgb,
+        };
+        let check = loaded.file.check.clone().unwrap_or_default();
+        let provenance = provenance(loaded.file, assets.seen.into_inner())
+            .map_err(|error| format!("{name}: {error}\n"))?;
+        Ok(Self { scene: loaded.scene, check, transfer, provenance })
+    }
+
+    /// The picture before encoding.
+    pub fn render_linear(&self) -> LinearImage {
+        render(&self.scene)
+    }
+
+    /// The picture.
+    ///
+    /// # Errors
+    /// A picture with a NaN in it is refused.
+    pub fn render(&self) -> Result<Rendered, String> {
+        let linear = self.render_linear();
+        match encode(&linear, self.transfer) {
+            Ok(encoded) => Ok(Rendered { linear, encoded }),
+            Err(nan) => Err(nan.to_string()),
+        }
+    }
+}
+
+/// Files by name, each with the hash of its content.
+type Seen = Vec<(String, blake3::Hash)>;
+
+fn provenance(file: SceneFile<Check>, mut assets: Seen) -> Result<Provenance, serde_json::Error> {
+    // The canonical text of the parsed scene: no comments, no spaces, fields in
+    // the format's order, what is at its default left out.
+    let scene = serde_json::to_string(&file.without_check())?;
+    assets.sort_by(|a, b| a.0.cmp(&b.0));
+    assets.dedup();
+    let mut listing = String::new();
+    for (name, hash) in &assets {
+        listing.extend([hash.to_hex().as_str(), " ", name, "\n"]);
+    }
+    Ok(Provenance { schema: 1, scene: short_hash(&scene), assets: short_hash(&listing) })
+}
+
+/// 128 bits: enough to tell any two scenes apart.
+fn short_hash(text: &str) -> String {
+    let mut hex = blake3::hash(text.as_bytes()).to_hex().to_string();
+    hex.truncate(32);
+    hex
+}
+
+/// Passes files on and notes what they held.
+struct Hashing<'a> {
+    inner: &'a dyn Assets,
+    seen: RefCell<Seen>,
+}
+
+impl Assets for Hashing<'_> {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let bytes = self.inner.read(path)?;
+        self.seen.borrow_mut().push((path.to_owned(), blake3::hash(&bytes)));
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+
+    const SCENE: &str = r#"(
+        version: 1, image: (8, 6),
+        camera: LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 40),
+        objects: [Mesh(file: "a.obj")],
+    )"#;
+
+    fn note(text: &str, mesh: &str) -> Provenance {
+        let files = BTreeMap::from([("a.obj".to_owned(), mesh.as_bytes().to_vec())]);
+        Fixture::read("a", text, &files, Build::Bvh).unwrap().provenance
+    }
+
+    const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+    #[test]
+    fn only_what_decides_the_picture_is_in_the_hashes() {
+        let note_of = |from: &str, to: &str| {
+            assert!(SCENE.contains(from), "{from}");
+            note(&SCENE.replace(from, to), MESH)
+        };
+        let original = note(SCENE, MESH);
+        assert_eq!(note_of("image:", "// a comment\n   image  :"), original);
+        assert_eq!(note_of("fov_deg: 40", "fov_deg: 40.0"), original);
+        assert_eq!(note_of("objects:", "shading: Classic, objects:"), original, "a default");
+        let checked = "check: (limits: (max_abs: 1, reason: \"why\")), objects:";
+        assert_eq!(note_of("objects:", checked), original);
+        for (from, to) in
+            [("40", "41"), ("(8, 6)", "(6, 8)"), ("objects:", "exposure: 2, objects:")]
+        {
+            let changed = note_of(from, to);
+            assert_ne!(changed.scene, original.scene, "{to}");
+            assert_eq!(changed.assets, original.assets, "{to}");
+        }
+        let other_mesh = note(SCENE, &MESH.replace("v 1 0 0", "v 2 0 0"));
+        assert_eq!(other_mesh.scene, original.scene);
+        assert_ne!(other_mesh.assets, original.assets);
+    }
+}

@@ -1,0 +1,30 @@
+//! goldray's harness: fixtures in, verdicts out.
+//!
+//! ```text
+//! fixtures/x.ron -> Fixture -> Rendered -> judge -> Outcome -> report
+//!                                            ^
+//!                           golden/x.png -> Golden
+//! ```
+//!
+//! A mismatch is a value here, never an `Err`. One file, [`store`], opens
+//! files. Nothing is printed, and no flag, terminal or exit code is known:
+//! that is `xtask`'s.
+
+pub mod bless;
+pub mod check;
+pub mod encode;
+pub mod expectation;
+pub mod fixture;
+pub mod golden;
+pub mod judge;
+pub mod limits;
+pub mod metric;
+pub mod picture;
+pub mod picture_file;
+pub mod report;
+pub mod run;
+pub mod sample_mesh;
+pub mod store;
+pub mod suite;
+pub mod template;
+pub mod verdict;

@@ -1,0 +1,7 @@
+//! What a run says: to people, a line each; to machines, JSON.
+
+mod json;
+mod text;
+
+pub use json::{comparison_json, run_json};
+pub use text::{Summary, comparison_lines, numbers, outcome_line, summarize};

@@ -1,0 +1,109 @@
+//! Outcomes as lines for people.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use crate::metric::{Comparison, METRICS};
+use crate::verdict::{Outcome, Verdict};
+
+/// One line for an outcome: verdict, name, numbers, where to look, what to do.
+/// A fixture with problems is followed by them, indented.
+///
+/// ```
+/// use harness::report::outcome_line;
+/// use harness::verdict::{Outcome, Verdict};
+///
+/// let outcome = Outcome {
+///     name: "sphere/far".to_owned(),
+///     verdict: Verdict::MissingGolden,
+///     findings: vec!["there is no golden".to_owned()],
+///     comparison: None,
+///     size: Some((64, 48)),
+///     render_ms: 1.0,
+///     compare_ms: 0.0,
+///     strip: Some("target/goldray/sphere/far.png".to_owned()),
+/// };
+/// assert_eq!(
+///     outcome_line(&outcome),
+///     "missing golden      sphere/far: there is no golden | \
+///      see target/goldray/sphere/far.png | if meant: cargo xtask bless sphere/far"
+/// );
+/// ```
+pub fn outcome_line(outcome: &Outcome) -> String {
+    let Outcome { name, verdict, findings, comparison, strip, .. } = outcome;
+    let head = format!("{:<19} {name}", verdict.words());
+    if *verdict == Verdict::RenderRefused {
+        let details = findings.iter().flat_map(|f| f.lines()).map(|line| format!("    {line}\n"));
+        return format!("{head}\n{}", details.collect::<String>()).trim_end().to_owned();
+    }
+    let mut parts = Vec::new();
+    if !findings.is_empty() {
+        parts.push(findings.join("; "));
+    }
+    if let Some(comparison) = comparison.as_ref().filter(|c| !c.is_identical()) {
+        parts.push(numbers(comparison));
+    }
+    if let Some(strip) = strip {
+        parts.push(format!("see {strip}"));
+    }
+    if let Some(command) = outcome.command().filter(|_| *verdict != Verdict::ExpectationFailed) {
+        parts.push(format!("if meant: {command}"));
+    }
+    if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
+}
+
+/// The numbers of a comparison that say most, in one line.
+pub fn numbers(c: &Comparison) -> String {
+    let (wx, wy) = c.ssim_min_at;
+    let first = c.first_differing.map_or(String::new(), |(x, y)| format!(", first ({x}, {y})"));
+    format!(
+        "{} px differ{first}, by up to {}/255, ssim {:.6}, worst window {:.6} at ({wx}, {wy})",
+        c.differing_pixels, c.max_abs, c.ssim_mean, c.ssim_min
+    )
+}
+
+/// Every metric of a comparison, a line each.
+pub fn comparison_lines(c: &Comparison) -> String {
+    let line = |m: &crate::metric::Metric| {
+        let value = (m.value)(c).map_or("-".to_owned(), |v| format!("{v}"));
+        let note = if m.can_gate { "" } else { " (reported only)" };
+        format!("{:<22} {value}{note}\n", m.name)
+    };
+    METRICS.iter().map(line).collect()
+}
+
+/// How many of each verdict.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Summary {
+    /// How many fixtures and orphan goldens were judged.
+    pub total: usize,
+    /// How many of each verdict there is one of.
+    pub counts: BTreeMap<Verdict, usize>,
+}
+
+impl Summary {
+    /// Whether everything matches and there was something to match.
+    pub fn is_green(&self) -> bool {
+        self.total > 0 && self.counts.get(&Verdict::Match) == Some(&self.total)
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} judged:", self.total)?;
+        for (i, (verdict, count)) in self.counts.iter().enumerate() {
+            let comma = if i == 0 { "" } else { "," };
+            write!(f, "{comma} {count} {}", verdict.words())?;
+        }
+        Ok(())
+    }
+}
+
+/// Counts the verdicts.
+pub fn summarize(outcomes: &[Outcome]) -> Summary {
+    let mut counts = BTreeMap::new();
+    for outcome in outcomes {
+        *counts.entry(outcome.verdict).or_default() += 1;
+    }
+    Summary { total: outcomes.len(), counts }
+}

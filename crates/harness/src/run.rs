@@ -1,0 +1,148 @@
+//! `run`: every selected fixture rendered and judged, in parallel.
+
+use std::path::Path;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use tracer::accel::Build;
+
+use crate::expectation::Rendered;
+use crate::fixture::Fixture;
+use crate::golden;
+use crate::judge::{Found, Judgment, judge};
+use crate::picture::strip;
+use crate::store::{self, StoreError};
+use crate::suite::{Selection, Suite};
+use crate::verdict::{Outcome, Verdict};
+
+/// The largest golden file that is read, in bytes.
+const MAX_GOLDEN_BYTES: u64 = 256 << 20;
+
+/// Judges everything selected; `on_outcome` hears of each as it is known, from
+/// any thread. Failures leave a picture strip in the artifacts folder, which
+/// is emptied first.
+///
+/// The outcomes are in the order of names, whatever the number of threads.
+///
+/// # Errors
+/// Artifacts that cannot be written. What is wrong with a fixture or a golden
+/// is its verdict, not an error.
+pub fn run(
+    suite: &Suite,
+    selection: &Selection,
+    on_outcome: &(dyn Fn(&Outcome) + Sync),
+) -> Result<Vec<Outcome>, StoreError> {
+    store::remove_folder(&suite.artifacts())?;
+    let judge_one = |name: &String| {
+        let outcome = run_fixture(suite, name)?;
+        on_outcome(&outcome);
+        Ok(outcome)
+    };
+    let mut outcomes: Vec<_> =
+        selection.fixtures.par_iter().map(judge_one).collect::<Result<_, StoreError>>()?;
+    for name in &selection.orphans {
+        let outcome = orphan(name);
+        on_outcome(&outcome);
+        outcomes.push(outcome);
+    }
+    outcomes.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(outcomes)
+}
+
+/// A fixture rendered and judged, with all that led to it.
+#[derive(Debug, Clone)]
+pub struct Judged {
+    /// The fixture and its picture, or why there is none.
+    pub rendered: Result<(Fixture, Rendered), String>,
+    /// What is in the golden's place.
+    pub found: Found,
+    /// What is said.
+    pub judgment: Judgment,
+    /// How long reading and rendering took, in milliseconds.
+    pub render_ms: f64,
+    /// How long reading the golden and comparing took, in milliseconds.
+    pub compare_ms: f64,
+}
+
+/// Renders a fixture and judges it; writes nothing.
+pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
+    let started = Instant::now();
+    let rendered = render_fixture(suite, name);
+    let render_ms = milliseconds_since(started);
+    let started = Instant::now();
+    let found = find_golden(&suite.golden_path(name));
+    let judgment = match &rendered {
+        Ok((fixture, picture)) => judge(fixture, picture, &found),
+        Err(why) => Judgment {
+            verdict: Verdict::RenderRefused,
+            findings: vec![why.clone()],
+            comparison: None,
+        },
+    };
+    Judged { rendered, found, judgment, render_ms, compare_ms: milliseconds_since(started) }
+}
+
+/// The fixture and its picture.
+///
+/// # Errors
+/// Why there is no picture, as text for people.
+pub fn render_fixture(suite: &Suite, name: &str) -> Result<(Fixture, Rendered), String> {
+    let label = Suite::fixture_label(name);
+    let fixture = Fixture::open(&label, &suite.fixture_path(name), Build::default())?;
+    let picture = fixture.render().map_err(|why| format!("{label}: {why}\n"))?;
+    Ok((fixture, picture))
+}
+
+/// What is at the path of a golden.
+pub fn find_golden(path: &Path) -> Found {
+    match store::read(path, MAX_GOLDEN_BYTES) {
+        Ok(None) => Found::Nothing,
+        Ok(Some(bytes)) => match golden::from_png(&bytes) {
+            Ok(golden) => Found::Golden(golden),
+            Err(why) => Found::Unreadable(why),
+        },
+        Err(error) => Found::Unreadable(error.what),
+    }
+}
+
+fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
+    let judged = judge_fixture(suite, name);
+    let Judged { rendered, found, judgment, render_ms, compare_ms } = judged;
+    let picture = rendered.ok().map(|(_, picture)| picture.encoded);
+    let mut outcome = Outcome {
+        name: name.to_owned(),
+        verdict: judgment.verdict,
+        findings: judgment.findings,
+        comparison: judgment.comparison,
+        size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
+        render_ms,
+        compare_ms,
+        strip: None,
+    };
+    if let (Some(picture), false) = (picture, outcome.verdict == Verdict::Match) {
+        let png = golden::to_png(&strip(found.picture(), &picture), None);
+        let relative = format!("{}/{name}.png", Suite::ARTIFACTS);
+        let path = suite.root().join(&relative);
+        let png = png.map_err(|what| StoreError { path: path.clone(), what })?;
+        store::write(&path, &png)?;
+        outcome.strip = Some(relative);
+    }
+    Ok(outcome)
+}
+
+fn orphan(name: &str) -> Outcome {
+    Outcome {
+        name: name.to_owned(),
+        verdict: Verdict::OrphanGolden,
+        findings: vec![format!("there is no {}", Suite::fixture_label(name))],
+        comparison: None,
+        size: None,
+        render_ms: 0.0,
+        compare_ms: 0.0,
+        strip: None,
+    }
+}
+
+fn milliseconds_since(started: Instant) -> f64 {
+    started.elapsed().as_secs_f64() * 1e3
+}

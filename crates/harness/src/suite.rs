@@ -1,0 +1,207 @@
+//! `Suite`: the fixtures and goldens of a folder, and which of them are asked
+//! for.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use wildmatch::WildMatch;
+
+use crate::store::{self, StoreError};
+
+/// A folder with `fixtures/` and `golden/` in it.
+#[derive(Debug, Clone)]
+pub struct Suite {
+    root: PathBuf,
+}
+
+/// Names of a suite, sorted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Selection {
+    /// Fixtures.
+    pub fixtures: Vec<String>,
+    /// Goldens without a fixture.
+    pub orphans: Vec<String>,
+}
+
+/// Why nothing can be asked of a suite.
+#[derive(Debug, thiserror::Error)]
+pub enum SuiteError {
+    /// There is no suite here.
+    #[error("{}: expected a folder with `fixtures/` in it, found none", .0.display())]
+    NoSuite(PathBuf),
+    /// There is nothing in it.
+    #[error("{}: expected at least one fixture (*.ron), found none", .0.display())]
+    Empty(PathBuf),
+    /// A filter that is about nothing.
+    #[error("the filter \"{filter}\" selects nothing{}", hint(.nearest.as_deref()))]
+    SelectsNothing {
+        /// The filter.
+        filter: String,
+        /// The name most like it.
+        nearest: Option<String>,
+    },
+    /// A folder that cannot be read.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+}
+
+fn hint(name: Option<&str>) -> String {
+    let list = "; `cargo xtask list` shows all names";
+    name.map_or(list.to_owned(), |name| format!("; did you mean \"{name}\"?"))
+}
+
+impl Suite {
+    /// The suite at `root`.
+    ///
+    /// # Errors
+    /// A folder without `fixtures/`.
+    pub fn open(root: &Path) -> Result<Self, SuiteError> {
+        if store::is_folder(&root.join("fixtures")) {
+            Ok(Self { root: root.to_owned() })
+        } else {
+            Err(SuiteError::NoSuite(root.to_owned()))
+        }
+    }
+
+    /// The suite's folder.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The file of a fixture.
+    pub fn fixture_path(&self, name: &str) -> PathBuf {
+        self.root.join("fixtures").join(format!("{name}.ron"))
+    }
+
+    /// A fixture's file relative to the suite, as messages show it.
+    pub fn fixture_label(name: &str) -> String {
+        format!("fixtures/{name}.ron")
+    }
+
+    /// The file of a golden.
+    pub fn golden_path(&self, name: &str) -> PathBuf {
+        self.root.join("golden").join(format!("{name}.png"))
+    }
+
+    /// The folder for what a run leaves behind, relative to the suite.
+    pub const ARTIFACTS: &str = "target/goldray";
+
+    /// The folder for what a run leaves behind.
+    pub fn artifacts(&self) -> PathBuf {
+        self.root.join(Self::ARTIFACTS)
+    }
+
+    /// What the filters select, or everything if there are none.
+    ///
+    /// A filter selects the fixture of exactly its name if there is one; with
+    /// `*` or `?` in it, the names it matches as a whole; else all names that
+    /// contain it. Goldens without a fixture are selected in the same way.
+    ///
+    /// # Errors
+    /// A suite without fixtures, a filter that selects nothing, and folders
+    /// that cannot be read.
+    pub fn select(&self, filters: &[String]) -> Result<Selection, SuiteError> {
+        let fixtures = store::names(&self.root.join("fixtures"), "ron")?;
+        let goldens = store::names(&self.root.join("golden"), "png")?;
+        if fixtures.is_empty() && goldens.is_empty() {
+            return Err(SuiteError::Empty(self.root.join("fixtures")));
+        }
+        let known: BTreeSet<_> = fixtures.iter().chain(&goldens).cloned().collect();
+        let mut selected = BTreeSet::new();
+        for filter in filters {
+            let matching: Vec<_> = if known.contains(filter) {
+                vec![filter.clone()]
+            } else {
+                known.iter().filter(|name| selects(filter, name)).cloned().collect()
+            };
+            if matching.is_empty() {
+                return Err(SuiteError::SelectsNothing {
+                    filter: filter.clone(),
+                    nearest: scene::nearest(filter, known.iter().map(String::as_str))
+                        .map(str::to_owned),
+                });
+            }
+            selected.extend(matching);
+        }
+        let is_selected = |name: &String| filters.is_empty() || selected.contains(name);
+        let has_fixture: BTreeSet<_> = fixtures.iter().collect();
+        Ok(Selection {
+            orphans: goldens
+                .iter()
+                .filter(|name| !has_fixture.contains(name) && is_selected(name))
+                .cloned()
+                .collect(),
+            fixtures: fixtures.iter().filter(|name| is_selected(name)).cloned().collect(),
+        })
+    }
+}
+
+fn selects(filter: &str, name: &str) -> bool {
+    if filter.contains(['*', '?']) {
+        WildMatch::new(filter).matches(name)
+    } else {
+        name.contains(filter)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn suite(files: &[&str]) -> (tempfile::TempDir, Suite) {
+        let folder = tempfile::tempdir().unwrap();
+        for file in files {
+            store::write(&folder.path().join(file), b"").unwrap();
+        }
+        let suite = Suite::open(folder.path()).unwrap();
+        (folder, suite)
+    }
+
+    const FILES: &[&str] = &[
+        "fixtures/sphere/far.ron",
+        "fixtures/sphere/far-away.ron",
+        "fixtures/box/flat.ron",
+        "fixtures/box/notes.txt",
+        "fixtures/.hidden/x.ron",
+        "golden/sphere/far.png",
+        "golden/sphere/gone.png",
+    ];
+
+    #[track_caller]
+    fn check(filters: &[&str], fixtures: &[&str], orphans: &[&str]) {
+        let (_folder, suite) = suite(FILES);
+        let filters: Vec<_> = filters.iter().map(|&f| f.to_owned()).collect();
+        let selection = suite.select(&filters).unwrap();
+        assert_eq!(selection.fixtures, fixtures);
+        assert_eq!(selection.orphans, orphans);
+    }
+
+    #[test]
+    fn filters_select_by_name_part_or_pattern() {
+        let all = ["box/flat", "sphere/far", "sphere/far-away"];
+        check(&[], &all, &["sphere/gone"]);
+        check(&["sphere/far"], &["sphere/far"], &[]);
+        check(&["sphere/"], &["sphere/far", "sphere/far-away"], &["sphere/gone"]);
+        check(&["fa"], &["sphere/far", "sphere/far-away"], &[]);
+        check(&["*/f*t"], &["box/flat"], &[]);
+        check(&["sphere/???"], &["sphere/far"], &[]);
+        check(&["flat", "gone"], &["box/flat"], &["sphere/gone"]);
+    }
+
+    #[test]
+    fn nothing_selected_is_an_error() {
+        let (_folder, suite) = suite(FILES);
+        let error = |filter: &str| suite.select(&[filter.to_owned()]).unwrap_err().to_string();
+        let hint = "the filter \"sphere/fra\" selects nothing; did you mean \"sphere/far\"?";
+        assert_eq!(error("sphere/fra"), hint);
+        assert!(error("zzzzzzzzzz").ends_with("`cargo xtask list` shows all names"));
+    }
+
+    #[test]
+    fn a_folder_without_fixtures_is_no_suite() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(matches!(Suite::open(folder.path()), Err(SuiteError::NoSuite(_))));
+        let (_folder, suite) = suite(&["fixtures/readme.txt"]);
+        assert!(matches!(suite.select(&[]), Err(SuiteError::Empty(_))));
+    }
+}

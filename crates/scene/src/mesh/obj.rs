@@ -1,0 +1,71 @@
+//! Wavefront OBJ: positions, faces and normals; everything else is passed over.
+
+use tobj::{LoadError, LoadOptions, LoadResult};
+use tracer::glam::DVec3;
+use tracer::shape::MeshNormals;
+
+use super::MeshData;
+
+/// Polygons are cut into triangles as fans; objects and groups of the file are
+/// put together in order. Normals count where every face has them.
+pub(super) fn read(bytes: &[u8]) -> Result<MeshData, String> {
+    let (models, _) = load(bytes).map_err(|error| {
+        let line = first_bad_line(bytes);
+        format!("is not a readable OBJ file: line {line}: {error}")
+    })?;
+    let mut mesh = MeshData { vertices: Vec::new(), faces: Vec::new(), normals: None };
+    let mut normals = MeshNormals { normals: Vec::new(), faces: Vec::new() };
+    for model in models {
+        let tobj::Mesh { positions, indices, normals: n, normal_indices, .. } = model.mesh;
+        mesh.faces.extend(shifted(&indices, mesh.vertices.len())?);
+        mesh.vertices.extend(points(&positions));
+        normals.faces.extend(shifted(&normal_indices, normals.normals.len())?);
+        normals.normals.extend(points(&n));
+    }
+    if !normals.faces.is_empty() && normals.faces.len() == mesh.faces.len() {
+        mesh.normals = Some(normals);
+    }
+    Ok(mesh)
+}
+
+fn load(mut bytes: &[u8]) -> LoadResult {
+    let options = LoadOptions {
+        triangulate: true,
+        single_index: false,
+        ignore_points: true,
+        ignore_lines: true,
+    };
+    // Materials are the scene's: a library that the file names is not opened.
+    tobj::load_obj_buf(&mut bytes, &options, |_| Err(LoadError::OpenFileFailed))
+}
+
+fn points(numbers: &[f64]) -> impl Iterator<Item = DVec3> {
+    numbers.as_chunks::<3>().0.iter().map(|&p| DVec3::from_array(p))
+}
+
+/// Triples of indices, counted on from those of the models before.
+fn shifted(indices: &[u32], by: usize) -> Result<Vec<[u32; 3]>, String> {
+    let shift = |i: u32| u32::try_from(i as usize + by).ok();
+    let triples = indices.as_chunks::<3>().0.iter();
+    triples
+        .map(|&[a, b, c]| Some([shift(a)?, shift(b)?, shift(c)?]))
+        .collect::<Option<_>>()
+        .ok_or_else(|| "has more than 4294967295 corners".to_owned())
+}
+
+/// The line at which reading fails: the last of the shortest beginning of the
+/// file that cannot be read, found by halving.
+fn first_bad_line(bytes: &[u8]) -> usize {
+    let ends: Vec<usize> = bytes.split_inclusive(|&b| b == b'\n').map(<[u8]>::len).collect();
+    let fails = |lines: usize| load(&bytes[..ends[..lines].iter().sum()]).is_err();
+    let (mut good, mut bad) = (0, ends.len());
+    while bad - good > 1 {
+        let middle = usize::midpoint(good, bad);
+        if fails(middle) {
+            bad = middle;
+        } else {
+            good = middle;
+        }
+    }
+    bad
+}

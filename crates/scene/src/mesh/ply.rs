@@ -1,0 +1,80 @@
+//! PLY, text or binary: the elements `vertex` and `face`; everything else is
+//! passed over.
+
+use ply_rs_bw::parser::Parser;
+use ply_rs_bw::ply::{DefaultElement, Property};
+use tracer::glam::DVec3;
+use tracer::shape::MeshNormals;
+
+use super::MeshData;
+
+/// A vertex has `x`, `y`, `z` and may have `nx`, `ny`, `nz`; a face has a list
+/// `vertex_indices` (or `vertex_index`) and is cut into triangles as a fan.
+pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
+    let ply = Parser::<DefaultElement>::new()
+        .read_ply(&mut bytes)
+        .map_err(|error| format!("is not a readable PLY file: {error}"))?;
+    let elements = |name: &str| {
+        let found = ply.payload.get(name).filter(|elements| !elements.is_empty());
+        found.ok_or_else(|| format!("has no element `{name}`, which a mesh needs"))
+    };
+    let (vertices, faces) = (elements("vertex")?, elements("face")?);
+
+    let mut mesh = MeshData { vertices: Vec::new(), faces: Vec::new(), normals: None };
+    for vertex in vertices {
+        let position = triple(vertex, ["x", "y", "z"])
+            .ok_or("has a vertex without the numbers `x`, `y` and `z`")?;
+        mesh.vertices.push(position);
+    }
+    for (number, face) in faces.iter().enumerate() {
+        let corners = ["vertex_indices", "vertex_index"]
+            .into_iter()
+            .find_map(|name| indices(face.get(name)?))
+            .ok_or_else(|| {
+                format!("has a face without the list `vertex_indices`: number {number}")
+            })?;
+        let [first, rest @ ..] = &corners[..] else {
+            continue;
+        };
+        mesh.faces.extend(rest.windows(2).map(|pair| [*first, pair[0], pair[1]]));
+    }
+    let normals: Option<Vec<_>> = vertices.iter().map(|v| triple(v, ["nx", "ny", "nz"])).collect();
+    mesh.normals = normals.map(|normals| MeshNormals { normals, faces: mesh.faces.clone() });
+    Ok(mesh)
+}
+
+fn triple(element: &DefaultElement, names: [&str; 3]) -> Option<DVec3> {
+    let [x, y, z] = names.map(|name| element.get(name).and_then(number));
+    Some(DVec3::new(x?, y?, z?))
+}
+
+fn number(property: &Property) -> Option<f64> {
+    match *property {
+        Property::Char(x) => Some(x.into()),
+        Property::UChar(x) => Some(x.into()),
+        Property::Short(x) => Some(x.into()),
+        Property::UShort(x) => Some(x.into()),
+        Property::Int(x) => Some(x.into()),
+        Property::UInt(x) => Some(x.into()),
+        Property::Float(x) => Some(x.into()),
+        Property::Double(x) => Some(x),
+        _ => None,
+    }
+}
+
+/// A list of whole numbers as indices; `None` for another kind of property and
+/// for a negative number.
+fn indices(property: &Property) -> Option<Vec<u32>> {
+    fn all<T: Copy + TryInto<u32>>(list: &[T]) -> Option<Vec<u32>> {
+        list.iter().map(|&i| i.try_into().ok()).collect()
+    }
+    match property {
+        Property::ListChar(list) => all(list),
+        Property::ListUChar(list) => all(list),
+        Property::ListShort(list) => all(list),
+        Property::ListUShort(list) => all(list),
+        Property::ListInt(list) => all(list),
+        Property::ListUInt(list) => all(list),
+        _ => None,
+    }
+}

@@ -1,0 +1,102 @@
+//! Mesh files, good ones and broken ones.
+
+use tracer::glam::dvec3;
+
+use super::*;
+
+const SQUARE_OBJ: &str = "\
+mtllib nowhere.mtl
+o square
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+vn 0 0 1
+f 1//1 2//1 3//1 4//1
+";
+
+const SQUARE_PLY: &str = "\
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+4 0 1 2 3
+";
+
+#[test]
+fn a_square_is_two_triangles_in_both_formats() {
+    for (name, text) in [("a.obj", SQUARE_OBJ), ("A.PLY", SQUARE_PLY)] {
+        let mesh = read(name, text.as_bytes()).unwrap();
+        assert_eq!(mesh.vertices[2], dvec3(1.0, 1.0, 0.0), "{name}");
+        assert_eq!(mesh.faces, [[0, 1, 2], [0, 2, 3]], "{name}");
+        assert_eq!(mesh.normals.is_some(), name == "a.obj");
+    }
+}
+
+#[test]
+fn positions_keep_all_their_digits() {
+    let mesh = read("a.obj", b"v 0.1 1e-17 3\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    assert_eq!(mesh.vertices[0], dvec3(0.1, 1e-17, 3.0));
+}
+
+#[test]
+fn objects_of_a_file_are_put_together() {
+    let text = "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 0 1\nf 4 2 3\nf -1 -2 -3\n";
+    let mesh = read("a.obj", text.as_bytes()).unwrap();
+    let corner = |face: usize, k: usize| mesh.vertices[mesh.faces[face][k] as usize];
+    assert_eq!(mesh.faces.len(), 3);
+    assert_eq!(corner(1, 0), dvec3(0.0, 0.0, 1.0));
+    assert_eq!(corner(1, 1), dvec3(1.0, 0.0, 0.0));
+    assert_eq!(corner(2, 1), dvec3(0.0, 1.0, 0.0), "counted from the end");
+}
+
+#[track_caller]
+fn check_error(name: &str, text: &str, expected: &str) {
+    let error = read(name, text.as_bytes()).unwrap_err();
+    assert!(error.contains(expected), "{error:?} does not contain {expected:?}");
+}
+
+#[test]
+fn broken_files() {
+    check_error("a.stl", "", "neither an OBJ nor a PLY");
+    check_error("a", "", "neither an OBJ nor a PLY");
+    check_error("a.obj", "v 0 0 0\nv 1 0 zero\nv 0 1 0\nf 1 2 3\n", "line 2: position");
+    check_error("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "line 4: face");
+    check_error("a.ply", "", "not a readable PLY");
+    check_error("a.ply", "ply\nformat ascii 1.0\nend_header\n", "no element `vertex`");
+    let absurd = SQUARE_PLY.replace("element vertex 4", "element vertex 4000000000");
+    check_error("a.ply", &absurd, "not a readable PLY");
+    let no_z = SQUARE_PLY.replace("property float z", "property float q");
+    check_error("a.ply", &no_z, "without the numbers");
+    let negative = SQUARE_PLY.replace("4 0 1 2 3", "4 0 1 2 -3");
+    check_error("a.ply", &negative, "face without the list");
+}
+
+#[test]
+fn mutated_files_never_panic() {
+    let mut rng = fastrand::Rng::with_seed(5);
+    for (name, text) in [("a.obj", SQUARE_OBJ), ("a.ply", SQUARE_PLY)] {
+        for _ in 0..5_000 {
+            let mut bytes = text.as_bytes().to_vec();
+            for _ in 0..rng.usize(1..4) {
+                let at = rng.usize(0..bytes.len());
+                match rng.u8(0..3) {
+                    0 => bytes[at] = rng.u8(..),
+                    1 => bytes.insert(at, b"0123456789-./ \n"[rng.usize(0..15)]),
+                    _ => drop(bytes.drain(at..(at + rng.usize(0..9)).min(bytes.len()))),
+                }
+            }
+            // Either way is fine; coming back at all is what counts.
+            let _ = read(name, &bytes);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! `report`: problems as text for people.
+
+use std::fmt::Write;
+
+use crate::{Problem, line_column};
+
+/// The problems of the file `name`, one after the other, each as
+/// `name:line:column: message`, the line it is in with the place marked, and
+/// its help.
+///
+/// ```
+/// let problem = scene::Problem {
+///     span: scene::Span { start: 2, end: 5 },
+///     message: "expected a number, found `abc`".to_owned(),
+///     help: None,
+/// };
+/// assert_eq!(
+///     scene::report("a.ron", "( abc )", &[problem]),
+///     "a.ron:1:3: expected a number, found `abc`\n  1 | ( abc )\n    |   ^^^\n",
+/// );
+/// ```
+pub fn report(name: &str, text: &str, problems: &[Problem]) -> String {
+    let mut out = String::new();
+    for Problem { span, message, help } in problems {
+        let (line_number, column) = line_column(text, span.start);
+        let line = text.lines().nth(line_number - 1).unwrap_or("");
+        let marked = text
+            .get(span.start..span.end)
+            .and_then(|marked| marked.lines().next())
+            .map_or(1, |marked| marked.chars().count().max(1));
+        let (line, column_shown) = excerpt(line, column);
+        let marks = "^".repeat(marked.min(EXCERPT + 1 - column_shown.min(EXCERPT)));
+        let gutter = line_number.to_string();
+        let empty = " ".repeat(gutter.len());
+        let indent = " ".repeat(column_shown - 1);
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "{name}:{line_number}:{column}: {message}");
+        let _ = writeln!(out, "  {gutter} | {line}");
+        let _ = writeln!(out, "  {empty} | {indent}{marks}");
+        if let Some(help) = help {
+            let _ = writeln!(out, "  {empty} = help: {help}");
+        }
+    }
+    out
+}
+
+/// The most characters of a line that are shown.
+const EXCERPT: usize = 100;
+
+/// A line that is too long cut to what surrounds `column`, with the column in
+/// what is left; control characters become spaces so that the mark lines up.
+fn excerpt(line: &str, column: usize) -> (String, usize) {
+    const BEFORE: usize = 40;
+    let plain = |c: char| if c.is_control() { ' ' } else { c };
+    let is_long = line.chars().nth(EXCERPT).is_some();
+    let skipped = if is_long { column.saturating_sub(BEFORE) } else { 0 };
+    let shown = line.chars().skip(skipped).take(EXCERPT).map(plain).collect::<String>();
+    (shown.trim_end().to_owned(), column - skipped)
+}

@@ -1,0 +1,295 @@
+//! `Bvh`: a binary bounding volume hierarchy, built by the surface area
+//! heuristic over bins.
+//!
+//! It promises the linear list's answers: its box test may let a ray in that
+//! misses, never keep one out that a candidate's own formula would hit.
+
+use glam::DVec3;
+
+use super::Candidate;
+use crate::math::{UNIT_ROUNDOFF, max_abs};
+use crate::{Aabb, Interval, Ray};
+
+/// Bins per axis when a node is split.
+const BINS: usize = 16;
+/// A node of this many candidates is not split.
+const LEAF: usize = 4;
+/// Below this depth nodes are halved by count, which bounds the depth at
+/// twice this for up to 2^32 candidates, and so the traversal's stack.
+const SAH_DEPTH: usize = 32;
+/// Room for one pending sibling per level.
+const STACK: usize = 2 * SAH_DEPTH + 1;
+
+/// A bounding volume hierarchy.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bvh {
+    /// The root first; a node's left child follows it directly.
+    nodes: Vec<Node>,
+    /// Candidate numbers, leaf after leaf.
+    order: Vec<u32>,
+    /// Candidates without a finite box: tested by every ray.
+    unbounded: Vec<u32>,
+    /// The largest coordinate of any box, for the rounding of box tests.
+    extent: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Node {
+    bounds: Aabb,
+    /// Of a leaf: its first place in `order`. Of an inner node: its right child.
+    first: u32,
+    /// Of a leaf: how many candidates. Of an inner node: 0.
+    count: u32,
+}
+
+impl Bvh {
+    /// The hierarchy over candidates with these boxes.
+    pub fn new(boxes: &[Aabb]) -> Self {
+        let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
+            (0..boxes.len() as u32).partition(|&i| boxes[i as usize].is_finite());
+        let extent = bounded
+            .iter()
+            .map(|&i| max_abs(boxes[i as usize].min).max(max_abs(boxes[i as usize].max)))
+            .fold(0.0, f64::max);
+        let mut bvh = Self { nodes: Vec::new(), order: bounded, unbounded, extent };
+        if !bvh.order.is_empty() {
+            let mut builder = Builder { boxes, nodes: Vec::new() };
+            builder.node(&mut bvh.order, 0, 0);
+            bvh.nodes = builder.nodes;
+        }
+        bvh
+    }
+
+    /// See [`Accelerator::closest`](super::Accelerator::closest).
+    pub fn closest<H: Candidate>(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        mut test: impl FnMut(u32, Interval) -> Option<H>,
+    ) -> Option<(u32, H)> {
+        let mut best: Option<(u32, H)> = None;
+        let mut t_best = range.hi;
+        let mut consider = |i: u32, t_best: &mut f64| {
+            // One step past the best `t`, so that an equal one is seen too and
+            // the lower number can win, as in the list.
+            let until = if best.is_some() { t_best.next_up().min(range.hi) } else { range.hi };
+            if let Some(hit) = test(i, range.until(until)) {
+                let wins = best.as_ref().is_none_or(|(j, b)| (hit.t(), i) < (b.t(), *j));
+                if wins {
+                    *t_best = hit.t();
+                    best = Some((i, hit));
+                }
+            }
+        };
+        for &i in &self.unbounded {
+            consider(i, &mut t_best);
+        }
+        self.walk(ray, range.lo, &mut t_best, |i, t_best| {
+            consider(i, t_best);
+            false
+        });
+        best
+    }
+
+    /// See [`Accelerator::any`](super::Accelerator::any).
+    pub fn any(&self, ray: &Ray, range: Interval, mut test: impl FnMut(u32) -> bool) -> bool {
+        let mut t_end = range.hi;
+        self.unbounded.iter().any(|&i| test(i))
+            || self.walk(ray, range.lo, &mut t_end, |i, _| test(i))
+    }
+
+    /// Visits the candidates of all leaves whose box the ray meets in
+    /// `[t_min, t_max]`, nearer child first, until `visit` returns true. It
+    /// may lower `t_max`.
+    fn walk(
+        &self,
+        ray: &Ray,
+        t_min: f64,
+        t_max: &mut f64,
+        mut visit: impl FnMut(u32, &mut f64) -> bool,
+    ) -> bool {
+        if self.nodes.is_empty() {
+            return false;
+        }
+        let slabs = Slabs::new(ray, self.extent);
+        let mut stack = [(0_u32, f64::NEG_INFINITY); STACK];
+        let mut top = 0;
+        let mut node = 0_u32;
+        loop {
+            let Node { first, count, .. } = self.nodes[node as usize];
+            if count > 0 {
+                for &i in &self.order[first as usize..(first + count) as usize] {
+                    if visit(i, t_max) {
+                        return true;
+                    }
+                }
+            } else {
+                let (left, right) = (node + 1, first);
+                let enter = |child: u32, t_max| {
+                    slabs.enter(&self.nodes[child as usize].bounds, t_min, t_max)
+                };
+                match (enter(left, *t_max), enter(right, *t_max)) {
+                    (Some(l), Some(r)) => {
+                        let (near, far) =
+                            if l <= r { (left, (right, r)) } else { (right, (left, l)) };
+                        stack[top] = far;
+                        top += 1;
+                        node = near;
+                        continue;
+                    }
+                    (Some(_), None) => {
+                        node = left;
+                        continue;
+                    }
+                    (None, Some(_)) => {
+                        node = right;
+                        continue;
+                    }
+                    (None, None) => {}
+                }
+            }
+            loop {
+                if top == 0 {
+                    return false;
+                }
+                top -= 1;
+                // A box that starts behind the best hit holds nothing closer.
+                if stack[top].1 <= *t_max {
+                    node = stack[top].0;
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// A ray made ready for box tests that never err on the side of a miss.
+struct Slabs {
+    origin: DVec3,
+    inverse: DVec3,
+    /// How far boxes are widened to make up for rounding, here and in the
+    /// candidates' own formulas.
+    pad: f64,
+}
+
+impl Slabs {
+    fn new(ray: &Ray, extent: f64) -> Self {
+        // Distances from the origin are at most origin + extent; the formulas
+        // of the shapes and of this test are off by some units in the last
+        // place of that. 64 is above the sum of all of them.
+        let pad = 64.0 * UNIT_ROUNDOFF * (max_abs(ray.origin) + extent);
+        Self { origin: ray.origin, inverse: ray.direction.recip(), pad }
+    }
+
+    /// Where the ray enters the widened box, if it is in it within
+    /// `[t_min, t_max]`.
+    ///
+    /// A zero in the direction makes both quotients infinite: of opposite
+    /// signs inside the slab, of equal ones outside. `f64::max` and `min` pass
+    /// over a NaN, so a side that says nothing excludes nothing.
+    fn enter(&self, bounds: &Aabb, t_min: f64, t_max: f64) -> Option<f64> {
+        let (mut enter, mut leave) = (t_min, t_max);
+        for axis in 0..3 {
+            let a = (bounds.min[axis] - self.pad - self.origin[axis]) * self.inverse[axis];
+            let b = (bounds.max[axis] + self.pad - self.origin[axis]) * self.inverse[axis];
+            enter = enter.max(a.min(b));
+            leave = leave.min(a.max(b));
+        }
+        (enter <= leave).then_some(enter)
+    }
+}
+
+struct Builder<'a> {
+    boxes: &'a [Aabb],
+    nodes: Vec<Node>,
+}
+
+impl Builder<'_> {
+    /// Builds the node over `items`, which start at `first` in the order.
+    fn node(&mut self, items: &mut [u32], first: u32, depth: usize) {
+        let bounds = self.bounds(items);
+        let index = self.nodes.len();
+        self.nodes.push(Node { bounds, first, count: items.len() as u32 });
+        if items.len() <= LEAF {
+            return;
+        }
+        let middle = self.split(items, depth);
+        let (left, right) = items.split_at_mut(middle);
+        self.node(left, first, depth + 1);
+        let right_child = self.nodes.len() as u32;
+        self.node(right, first + middle as u32, depth + 1);
+        self.nodes[index].first = right_child;
+        self.nodes[index].count = 0;
+    }
+
+    fn bounds(&self, items: &[u32]) -> Aabb {
+        items.iter().fold(Aabb::EMPTY, |all, &i| all.union(self.boxes[i as usize]))
+    }
+
+    fn center(&self, item: u32) -> DVec3 {
+        self.boxes[item as usize].center()
+    }
+
+    /// Orders the items into two non-empty parts and returns where the second
+    /// starts.
+    fn split(&self, items: &mut [u32], depth: usize) -> usize {
+        let centers = Aabb::around(items.iter().map(|&i| self.center(i)));
+        let widths = centers.max - centers.min;
+        let plane = if depth < SAH_DEPTH { self.best_plane(items, &centers) } else { None };
+        if let Some((axis, bin)) = plane {
+            // Stable, so that equal inputs give equal trees.
+            items.sort_by_key(|&i| bin_of(self.center(i)[axis], &centers, axis) > bin);
+            return items.partition_point(|&i| bin_of(self.center(i)[axis], &centers, axis) <= bin);
+        }
+        let axis = (0..3).fold(0, |best, k| if widths[k] > widths[best] { k } else { best });
+        items.sort_by(|&i, &j| self.center(i)[axis].total_cmp(&self.center(j)[axis]));
+        items.len() / 2
+    }
+
+    /// The axis and last bin of the left part that cost least by the surface
+    /// area heuristic; `None` where all centers are one.
+    ///
+    /// Source: Wald, "On fast Construction of SAH-based Bounding Volume
+    /// Hierarchies", 2007.
+    fn best_plane(&self, items: &[u32], centers: &Aabb) -> Option<(usize, usize)> {
+        let mut best: Option<(f64, usize, usize)> = None;
+        for axis in 0..3 {
+            if !(centers.max[axis] > centers.min[axis]) {
+                continue;
+            }
+            let mut bins = [(Aabb::EMPTY, 0_u32); BINS];
+            for &i in items {
+                let bin = &mut bins[bin_of(self.center(i)[axis], centers, axis)];
+                *bin = (bin.0.union(self.boxes[i as usize]), bin.1 + 1);
+            }
+            let sweep = |bins: &mut dyn Iterator<Item = &(Aabb, u32)>| {
+                let mut so_far = (Aabb::EMPTY, 0_u32);
+                let mut costs = [0.0; BINS];
+                for (cost, bin) in costs.iter_mut().zip(bins) {
+                    so_far = (so_far.0.union(bin.0), so_far.1 + bin.1);
+                    *cost = so_far.0.half_area() * f64::from(so_far.1);
+                }
+                costs
+            };
+            let from_left = sweep(&mut bins.iter());
+            let from_right = sweep(&mut bins.iter().rev());
+            for last in 0..BINS - 1 {
+                let cost = from_left[last] + from_right[BINS - 2 - last];
+                let both_filled = bins[..=last].iter().any(|b| b.1 > 0)
+                    && bins[last + 1..].iter().any(|b| b.1 > 0);
+                if both_filled && best.is_none_or(|(least, ..)| cost < least) {
+                    best = Some((cost, axis, last));
+                }
+            }
+        }
+        best.map(|(_, axis, bin)| (axis, bin))
+    }
+}
+
+/// Which bin a coordinate falls into; the last one takes its upper end.
+fn bin_of(x: f64, centers: &Aabb, axis: usize) -> usize {
+    let (lo, hi) = (centers.min[axis], centers.max[axis]);
+    let share = (x - lo) / (hi - lo) * BINS as f64;
+    // Saturating, and 0 for NaN.
+    (share as usize).min(BINS - 1)
+}

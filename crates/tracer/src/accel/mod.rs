@@ -1,0 +1,82 @@
+//! Finding the closest of many candidates: the linear list as the reference,
+//! and a bounding volume hierarchy that gives the same answers sooner.
+//!
+//! An accelerator knows boxes and numbers only. Whoever owns the candidates
+//! (a group its members, a mesh its triangles) passes a test for one of them,
+//! so the same structure serves all, and another can take its place here
+//! without touching its users.
+//!
+//! The contract of every accelerator: the candidate with the lowest `t` wins,
+//! and of several with the very same `t` the one that comes first in the
+//! list. So the answer does not depend on the structure.
+
+mod bvh;
+mod list;
+
+pub use bvh::Bvh;
+pub use list::List;
+
+use crate::{Aabb, Interval, Ray};
+
+/// What a test returns: something with a `t` to compare.
+pub trait Candidate {
+    /// The ray parameter of the hit.
+    fn t(&self) -> f64;
+}
+
+/// Which accelerator to build.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Build {
+    /// The linear list of the lecture: the reference.
+    List,
+    /// A bounding volume hierarchy.
+    #[default]
+    Bvh,
+}
+
+/// A structure over the boxes of some candidates, numbered in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Accelerator {
+    /// Tests every candidate.
+    List(List),
+    /// Skips candidates whose boxes the ray misses.
+    Bvh(Bvh),
+}
+
+impl Accelerator {
+    /// The accelerator over candidates with these boxes; a box may be
+    /// unbounded. A few candidates are tested sooner than a tree is walked.
+    pub fn build(build: Build, boxes: &[Aabb]) -> Self {
+        /// Up to this many candidates a hierarchy would be a single leaf.
+        const LEAF: usize = 4;
+        match build {
+            Build::Bvh if boxes.len() > LEAF => Self::Bvh(Bvh::new(boxes)),
+            _ => Self::List(List::new(boxes.len())),
+        }
+    }
+
+    /// The candidate that is hit first inside `range`, with its number.
+    ///
+    /// `test(i, range)` is candidate `i`'s closest hit strictly inside the
+    /// range that it is given.
+    pub fn closest<H: Candidate>(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        test: impl FnMut(u32, Interval) -> Option<H>,
+    ) -> Option<(u32, H)> {
+        match self {
+            Self::List(list) => list.closest(range, test),
+            Self::Bvh(bvh) => bvh.closest(ray, range, test),
+        }
+    }
+
+    /// Whether `test(i)` is true for any candidate that the ray may meet
+    /// inside `range`.
+    pub fn any(&self, ray: &Ray, range: Interval, test: impl FnMut(u32) -> bool) -> bool {
+        match self {
+            Self::List(list) => list.any(test),
+            Self::Bvh(bvh) => bvh.any(ray, range, test),
+        }
+    }
+}

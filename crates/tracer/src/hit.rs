@@ -1,0 +1,60 @@
+//! `Hit`: where a ray met which object, and how a new ray leaves from there.
+
+use glam::DVec3;
+
+use crate::{Material, Ray, UnitVec, accel};
+
+/// The number of an object in its scene, in the order of the scene's
+/// description, groups opened in place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct ObjectId(pub u32);
+
+/// The closest meeting of a ray with a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// The ray parameter, in units of the direction's length.
+    pub t: f64,
+    /// The point on the surface: put back onto it by the shape, so more
+    /// accurate than `origin + t direction`.
+    pub point: DVec3,
+    /// No true surface point is farther from `point` than this: a bound of
+    /// its rounding error, in world units.
+    pub point_error: f64,
+    /// The outward normal of the true surface, not turned towards the viewer.
+    pub geometric_normal: UnitVec,
+    /// The normal to shade with: interpolated where a mesh has normals, else
+    /// the geometric one.
+    pub shading_normal: UnitVec,
+    /// What the surface is made of.
+    pub material: Material,
+    /// Which object was hit.
+    pub object: ObjectId,
+}
+
+impl Hit {
+    /// The origin for a ray that leaves this point along `direction`: moved
+    /// off the surface to the side it leaves on, by twice the point's error
+    /// bound and no fixed distance.
+    pub fn leaving_origin(&self, direction: DVec3) -> DVec3 {
+        let n = *self.geometric_normal;
+        let side = if n.dot(direction) < 0.0 { -1.0 } else { 1.0 };
+        self.point + n * (side * 2.0 * self.point_error)
+    }
+
+    /// The ray that leaves this point along `direction`.
+    pub fn leaving(&self, direction: DVec3) -> Ray {
+        Ray::new(self.leaving_origin(direction), direction)
+    }
+
+    /// The ray that leaves this point and reaches `target` at `t = 1`.
+    pub fn leaving_to(&self, target: DVec3) -> Ray {
+        let origin = self.leaving_origin(target - self.point);
+        Ray::new(origin, target - origin)
+    }
+}
+
+impl accel::Candidate for Hit {
+    fn t(&self) -> f64 {
+        self.t
+    }
+}

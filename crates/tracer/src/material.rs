@@ -1,0 +1,168 @@
+//! `Material`: how a surface sends light on.
+
+use crate::math::pow;
+use crate::refused::{Refusal, color, length};
+use crate::{Convention, Refused, Rgb, UnitVec};
+
+/// What a surface is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Material {
+    /// Shows this color, unlit.
+    Constant(Rgb),
+    /// Shows the shading normal as the color `(n + 1) / 2`.
+    Normal,
+    /// Scatters light uniformly in all directions.
+    Lambert {
+        /// `k_d`: the share of light scattered, in each channel.
+        diffuse: Rgb,
+    },
+    /// Lambert, with a highlight about the half vector.
+    BlinnPhong {
+        /// `k_d`: the share of light scattered.
+        diffuse: Rgb,
+        /// `k_s`: the strength of the highlight.
+        specular: Rgb,
+        /// `p`: the highlight's sharpness, above 0.
+        exponent: f64,
+    },
+}
+
+impl Material {
+    /// Whether every number may be rendered with.
+    ///
+    /// # Errors
+    /// Refuses (as `color`, `diffuse`, `specular`, `exponent`) colors that are
+    /// not finite or negative and an exponent that is not above 0.
+    pub fn checked(self) -> Result<Self, Refused> {
+        let checks: [Option<Refusal>; 3] = match self {
+            Self::Constant(c) => [color("color", c), None, None],
+            Self::Normal => [None, None, None],
+            Self::Lambert { diffuse } => [color("diffuse", diffuse), None, None],
+            Self::BlinnPhong { diffuse, specular, exponent } => [
+                color("diffuse", diffuse),
+                color("specular", specular),
+                length("exponent", exponent),
+            ],
+        };
+        Refused::unless(checks)?;
+        Ok(self)
+    }
+
+    /// The color that the surface has by itself, before any light: what
+    /// "surface color" shows.
+    pub fn surface_color(&self, n: UnitVec) -> Rgb {
+        match *self {
+            Self::Constant(color) => color,
+            Self::Normal => normal_color(n),
+            Self::Lambert { diffuse } | Self::BlinnPhong { diffuse, .. } => diffuse,
+        }
+    }
+
+    /// The color of a surface that light does not change; `None` for one that
+    /// must be lit.
+    pub(crate) fn unlit(&self, n: UnitVec) -> Option<Rgb> {
+        match self {
+            Self::Constant(_) | Self::Normal => Some(self.surface_color(n)),
+            Self::Lambert { .. } | Self::BlinnPhong { .. } => None,
+        }
+    }
+
+    /// The share of the light from `l` that goes towards `v`, the lecture's
+    /// shading inputs being the eye direction `v`, the light direction `l`,
+    /// the normal `n` and the surface's parameters. All three point away from
+    /// the surface.
+    ///
+    /// - Lambert's cosine law: `k_d max(n.l, 0)`, by the lecture's slides
+    ///   "Diffuse reflection";
+    /// - Blinn-Phong adds `k_s max(n.h, 0)^p` with `h = normalize(l + v)`.
+    ///
+    /// The radiometric convention divides `k_d` by pi and multiplies the
+    /// highlight by the cosine as well. Zero for unlit materials.
+    pub fn reflect(&self, convention: Convention, n: UnitVec, l: UnitVec, v: UnitVec) -> Rgb {
+        let cosine = n.dot(*l).max(0.0);
+        let lambert = |k_d: Rgb| match convention {
+            Convention::Classic | Convention::Attenuated => k_d * cosine,
+            Convention::Radiometric => k_d * (1.0 / std::f64::consts::PI) * cosine,
+        };
+        match *self {
+            Self::Constant(_) | Self::Normal => Rgb::BLACK,
+            Self::Lambert { diffuse } => lambert(diffuse),
+            Self::BlinnPhong { diffuse, specular, exponent } => {
+                // Light straight through the surface towards the eye has no
+                // half vector, and no highlight.
+                let highlight =
+                    UnitVec::new(*l + *v).map_or(0.0, |h| pow(n.dot(*h).max(0.0), exponent));
+                let highlight = match convention {
+                    Convention::Classic | Convention::Attenuated => highlight,
+                    Convention::Radiometric => highlight * cosine,
+                };
+                lambert(diffuse) + specular * highlight
+            }
+        }
+    }
+}
+
+/// The assignment's normal shader: `(n + 1) / 2` in each channel.
+pub(crate) fn normal_color(n: UnitVec) -> Rgb {
+    Rgb::new(0.5 * (n.x + 1.0), 0.5 * (n.y + 1.0), 0.5 * (n.z + 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use glam::dvec3;
+
+    use super::*;
+
+    const RED: Rgb = Rgb::new(0.8, 0.0, 0.0);
+    const ALL: [Convention; 3] =
+        [Convention::Classic, Convention::Attenuated, Convention::Radiometric];
+
+    fn at_60_degrees() -> UnitVec {
+        UnitVec::new(dvec3(3.0_f64.sqrt(), 0.0, 1.0)).unwrap()
+    }
+
+    #[test]
+    fn lamberts_cosine_law() {
+        let material = Material::Lambert { diffuse: RED };
+        let red = |l| ALL.map(|c| material.reflect(c, UnitVec::Z, l, UnitVec::Z).r);
+        let close = |found: [f64; 3], expected: [f64; 3]| {
+            found.iter().zip(expected).all(|(f, e)| (f - e).abs() < 1e-15)
+        };
+        assert!(close(red(UnitVec::Z), [0.8, 0.8, 0.8 / PI]));
+        // The slide's cube, turned by 60 degrees, intercepts half the light.
+        assert!(close(red(at_60_degrees()), [0.4, 0.4, 0.4 / PI]));
+        assert!(close(red(UnitVec::X), [0.0; 3]));
+        assert!(close(red(-UnitVec::Z), [0.0; 3]));
+    }
+
+    #[test]
+    fn the_highlight_is_about_the_half_vector() {
+        let material =
+            Material::BlinnPhong { diffuse: Rgb::BLACK, specular: Rgb::WHITE, exponent: 2.0 };
+        let red = |l, v| ALL.map(|c| material.reflect(c, UnitVec::Z, l, v).r);
+        assert_eq!(red(UnitVec::Z, UnitVec::Z), [1.0; 3]);
+        // h at 30 degrees: cos^2 = 3/4; the cosine of the light is 1/2.
+        let found = red(at_60_degrees(), UnitVec::Z);
+        let expected = [0.75, 0.75, 0.375];
+        assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() < 1e-15), "{found:?}");
+        // Light from below the horizon: only the radiometric one is dark.
+        let below = UnitVec::new(dvec3(1.0, 0.0, -0.1)).unwrap();
+        let [classic, attenuated, radiometric] = red(below, UnitVec::Z);
+        assert!(classic > 0.0 && attenuated > 0.0 && radiometric == 0.0);
+        assert_eq!(red(-UnitVec::Z, UnitVec::Z), [0.0; 3], "no half vector");
+    }
+
+    #[test]
+    fn bad_materials_are_refused() {
+        let bad = Material::BlinnPhong {
+            diffuse: Rgb::new(-0.1, 0.0, 0.0),
+            specular: Rgb::new(0.0, f64::NAN, 0.0),
+            exponent: 0.0,
+        };
+        assert_eq!(bad.checked().unwrap_err().refusals().len(), 3);
+        assert!(Material::Constant(Rgb::new(0.0, 0.0, f64::INFINITY)).checked().is_err());
+        assert!(Material::Lambert { diffuse: Rgb::new(7.0, 0.0, 0.0) }.checked().is_ok());
+    }
+}

@@ -1,0 +1,124 @@
+//! `Scene`: everything a picture is made from, checked.
+
+use crate::refused::{color, not_negative, refuse_unless};
+use crate::shading::Lighting;
+use crate::{
+    Camera, Convention, Group, Interval, Light, Ray, Refused, Rgb, SampleGrid, Show, Size,
+};
+
+/// The parts of a scene, before they are checked together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneParts {
+    /// Makes the eye rays.
+    pub camera: Camera,
+    /// The picture's size, the lecture's `nx` and `ny`.
+    pub size: Size,
+    /// Where in a pixel its samples are.
+    pub samples: SampleGrid,
+    /// All surfaces.
+    pub world: Group,
+    /// All lights.
+    pub lights: Vec<Light>,
+    /// Which shading formulas hold.
+    pub convention: Convention,
+    /// Whether lights cast shadows.
+    pub shadows: bool,
+    /// What a ray that hits nothing sees.
+    pub background: Rgb,
+    /// Multiplies every pixel, background included.
+    pub exposure: f64,
+    /// What the picture is of.
+    pub show: Show,
+}
+
+/// A scene that can be rendered; see [`crate::render`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene(SceneParts);
+
+impl Scene {
+    /// The largest width or height of a picture in pixels.
+    pub const MAX_SIDE: u32 = 16_384;
+
+    /// The largest number of pixels of a picture.
+    pub const MAX_PIXELS: u64 = 1 << 26;
+
+    /// The scene of these parts; numbers its objects.
+    ///
+    /// # Errors
+    /// Refuses (as `image`) a picture without pixels or with absurdly many, (as
+    /// `background`, `exposure`) numbers that are negative or not finite, and
+    /// (as `show`) a depth range that is not one.
+    pub fn new(mut parts: SceneParts) -> Result<Self, Refused> {
+        let Size { width, height } = parts.size;
+        let sides = 1..=Self::MAX_SIDE;
+        let fits = sides.contains(&width)
+            && sides.contains(&height)
+            && u64::from(width) * u64::from(height) <= Self::MAX_PIXELS;
+        let depth_is_a_range = match parts.show {
+            Show::Depth { near, far } => 0.0 <= near && near < far && far.is_finite(),
+            _ => true,
+        };
+        Refused::unless([
+            refuse_unless(
+                fits,
+                "image",
+                format!(
+                    "a width and height from 1 to {} and at most {} pixels in all",
+                    Self::MAX_SIDE,
+                    Self::MAX_PIXELS
+                ),
+                || format!("{width} x {height}"),
+            ),
+            color("background", parts.background),
+            not_negative("exposure", parts.exposure),
+            refuse_unless(depth_is_a_range, "show", "a depth range with 0 <= near < far", || {
+                format!("{:?}", parts.show)
+            }),
+        ])?;
+        parts.world.number(0);
+        Ok(Self(parts))
+    }
+
+    /// The picture's size.
+    pub fn size(&self) -> Size {
+        self.0.size
+    }
+
+    /// Where in a pixel its samples are.
+    pub fn samples(&self) -> SampleGrid {
+        self.0.samples
+    }
+
+    /// The camera.
+    pub fn camera(&self) -> &Camera {
+        &self.0.camera
+    }
+
+    /// All surfaces.
+    pub fn world(&self) -> &Group {
+        &self.0.world
+    }
+
+    /// What the whole picture is multiplied by: `exposure` where the scene is
+    /// shaded, 1 for every other kind of picture.
+    pub fn exposure(&self) -> f64 {
+        if self.0.show == Show::Shaded { self.0.exposure } else { 1.0 }
+    }
+
+    /// The lecture's `Scene.trace(ray, tMin, tMax)`: the color of the closest
+    /// surface the ray hits inside `range`, else the background. Exposure is
+    /// not applied.
+    ///
+    /// Source: slide "Image so far", with scene intersection.
+    pub fn trace(&self, ray: &Ray, range: Interval) -> Rgb {
+        let SceneParts { world, lights, convention, shadows, background, show, .. } = &self.0;
+        match world.intersect(ray, range) {
+            None => *background,
+            Some(hit) => show.color(ray, &hit).unwrap_or_else(|| {
+                let lighting =
+                    Lighting { world, lights, convention: *convention, shadows: *shadows };
+                lighting.shade(ray, &hit)
+            }),
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! `AxisBox`: an axis-aligned box by the lecture's three slabs.
+
+use glam::DVec3;
+
+use super::{Contact, Geometry, SurfacePoint};
+use crate::lecture::ray_slab;
+use crate::math::{UNIT_ROUNDOFF, max_abs};
+use crate::refused::{point, refuse_unless, show};
+use crate::{Aabb, Interval, Ray, Refused, UnitVec};
+
+/// All points with `min <= x <= max` in each axis. A box may be flat.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisBox {
+    min: DVec3,
+    max: DVec3,
+}
+
+impl AxisBox {
+    /// A box from its lowest and its highest corner.
+    ///
+    /// # Errors
+    /// Refuses corners that are not finite, and a `max` below `min`.
+    pub fn new(min: DVec3, max: DVec3) -> Result<Self, Refused> {
+        Refused::unless([
+            point("min", min),
+            point("max", max),
+            refuse_unless(
+                !(min.is_finite() && max.is_finite()) || min.cmple(max).all(),
+                "max",
+                format!("a corner that is nowhere below `min`, {}", show(min)),
+                || show(max),
+            ),
+        ])?;
+        Ok(Self { min, max })
+    }
+}
+
+/// The line's way through the box: where, and by which axis' sides.
+struct Crossing {
+    enter: f64,
+    leave: f64,
+    enter_axis: usize,
+    leave_axis: usize,
+}
+
+impl AxisBox {
+    /// The three slabs' intervals, cut to their common part.
+    ///
+    /// Each quotient of [`ray_slab`] is off by at most 3/2 units in the last
+    /// place, so a line through an edge may seem to enter one slab just after
+    /// it has left the other; up to 4 units that is still a hit.
+    fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        let (mut enter_axis, mut leave_axis) = (0, 0);
+        for axis in 0..3 {
+            let (p, d) = (ray.origin[axis], ray.direction[axis]);
+            let (t_in, t_out) = ray_slab(p, d, self.min[axis], self.max[axis])?;
+            if t_in > enter {
+                (enter, enter_axis) = (t_in, axis);
+            }
+            if t_out < leave {
+                (leave, leave_axis) = (t_out, axis);
+            }
+        }
+        let slack = 8.0 * UNIT_ROUNDOFF * enter.abs().max(leave.abs());
+        // An infinite slack belongs to a zero direction, which hits nothing.
+        (enter <= leave + slack && slack.is_finite()).then_some(Crossing {
+            enter,
+            leave,
+            enter_axis,
+            leave_axis,
+        })
+    }
+}
+
+/// The number of a face: twice its axis, plus one for the higher side.
+fn face(axis: usize, higher: bool) -> u32 {
+    2 * axis as u32 + u32::from(higher)
+}
+
+impl Geometry for AxisBox {
+    fn bounds(&self) -> Aabb {
+        Aabb { min: self.min, max: self.max }.for_rounded_points()
+    }
+
+    /// The side where the ray enters, or the one where it leaves if the entry
+    /// is out of range, as for a ray from inside.
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+        let crossing = self.crossing(ray)?;
+        let d = ray.direction;
+        let contact = |t, part| Contact { t, part, barycentric: [0.0; 2] };
+        if range.contains(crossing.enter) {
+            let axis = crossing.enter_axis;
+            Some(contact(crossing.enter, face(axis, d[axis] < 0.0)))
+        } else if range.contains(crossing.leave) {
+            let axis = crossing.leave_axis;
+            Some(contact(crossing.leave, face(axis, d[axis] > 0.0)))
+        } else {
+            None
+        }
+    }
+
+    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+        let (axis, higher) = (contact.part as usize / 2, contact.part % 2 == 1);
+        let mut point = ray.at(contact.t).clamp(self.min, self.max);
+        point[axis] = if higher { self.max[axis] } else { self.min[axis] };
+        let normal = UnitVec::axis(axis);
+        let normal = if higher { normal } else { -normal };
+        SurfacePoint {
+            point,
+            error: 4.0 * UNIT_ROUNDOFF * max_abs(self.min).max(max_abs(self.max)),
+            geometric_normal: normal,
+            shading_normal: normal,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

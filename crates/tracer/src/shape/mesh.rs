@@ -1,0 +1,132 @@
+//! `Mesh`: triangles that share corners, with normals to interpolate where
+//! they have them.
+
+use glam::DVec3;
+
+use super::triangle::{self, Shear};
+use super::{Contact, Geometry, SurfacePoint};
+use crate::accel::{Accelerator, Build};
+use crate::refused::{point, refuse_unless};
+use crate::{Aabb, Interval, Ray, Refused, UnitVec};
+
+/// Normals at the corners of a mesh's triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshNormals {
+    /// The normals; any length, and zero for "none here".
+    pub normals: Vec<DVec3>,
+    /// For each triangle, the index of the normal at each of its corners.
+    pub faces: Vec<[u32; 3]>,
+}
+
+/// A mesh of triangles. One without an area is kept, so that numbers stay
+/// the file's, and is never hit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<DVec3>,
+    faces: Vec<[u32; 3]>,
+    normals: Option<MeshNormals>,
+    bounds: Aabb,
+    accelerator: Accelerator,
+}
+
+impl Mesh {
+    /// A mesh from its corners and, for each triangle, the indices of its
+    /// three.
+    ///
+    /// # Errors
+    /// Refuses a mesh without triangles, corners or normals that are not
+    /// finite, an index out of range, and normals for another number of
+    /// triangles.
+    pub fn new(
+        vertices: Vec<DVec3>,
+        faces: Vec<[u32; 3]>,
+        normals: Option<MeshNormals>,
+        build: Build,
+    ) -> Result<Self, Refused> {
+        let indices_fit = |faces: &[[u32; 3]], count: usize| {
+            faces.iter().flatten().all(|&i| (i as usize) < count)
+        };
+        let normals_fit = normals.as_ref().is_none_or(|n| {
+            n.faces.len() == faces.len()
+                && indices_fit(&n.faces, n.normals.len())
+                && n.normals.iter().all(|n| n.is_finite())
+        });
+        Refused::unless([
+            vertices.iter().find_map(|&v| point("vertices", v)),
+            refuse_unless(!faces.is_empty(), "faces", "at least one triangle", || "none".into()),
+            refuse_unless(
+                u32::try_from(faces.len()).is_ok(),
+                "faces",
+                "at most 4294967295 triangles",
+                || faces.len().to_string(),
+            ),
+            refuse_unless(
+                indices_fit(&faces, vertices.len()),
+                "faces",
+                format!("corner indices below {}", vertices.len()),
+                || format!("{:?}", faces.iter().flatten().max()),
+            ),
+            refuse_unless(
+                normals_fit,
+                "normals",
+                "three indices of finite normals for each triangle",
+                || "other ones".into(),
+            ),
+        ])?;
+        let corners = |face: &[u32; 3]| face.map(|i| vertices[i as usize]);
+        let boxes: Vec<_> = faces.iter().map(|f| triangle::bounds(corners(f))).collect();
+        let bounds = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let accelerator = Accelerator::build(build, &boxes);
+        Ok(Self { vertices, faces, normals, bounds, accelerator })
+    }
+
+    /// How many triangles it has.
+    pub fn triangle_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.faces[triangle as usize].map(|i| self.vertices[i as usize])
+    }
+
+    /// The normals of the corners, weighted as the point is; `None` where the
+    /// mesh has none or they cancel out.
+    fn interpolated_normal(&self, contact: &Contact) -> Option<UnitVec> {
+        let MeshNormals { normals, faces } = self.normals.as_ref()?;
+        let corner = faces[contact.part as usize].map(|i| UnitVec::new(normals[i as usize]));
+        let [a, b, c] = [*corner[0]?, *corner[1]?, *corner[2]?];
+        let [beta, gamma] = contact.barycentric;
+        UnitVec::new((1.0 - beta - gamma) * a + beta * b + gamma * c)
+    }
+}
+
+impl Geometry for Mesh {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+        let shear = Shear::new(ray);
+        self.accelerator
+            .closest(ray, range, |i, range| shear.intersect(self.corners(i), range))
+            .map(|(part, contact)| Contact { part, ..contact })
+    }
+
+    fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
+        let corners = self.corners(contact.part);
+        // A triangle that was hit has an area; its normal may still underflow.
+        let normal = triangle::normal(corners).unwrap_or(UnitVec::Z);
+        SurfacePoint {
+            shading_normal: self.interpolated_normal(contact).unwrap_or(normal),
+            ..triangle::surface(corners, normal, contact)
+        }
+    }
+
+    fn occludes(&self, ray: &Ray, range: Interval) -> bool {
+        let shear = Shear::new(ray);
+        self.accelerator.any(ray, range, |i| shear.intersect(self.corners(i), range).is_some())
+    }
+}
+
+#[cfg(test)]
+mod tests;

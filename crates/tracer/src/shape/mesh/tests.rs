@@ -1,0 +1,83 @@
+//! Meshes: identity of the triangle hit, interpolated normals, refusals.
+
+use glam::dvec3;
+
+use super::*;
+
+/// The square [0, 2]^2 at z = 0 as two triangles that share a diagonal.
+fn square(normals: Option<MeshNormals>, build: Build) -> Mesh {
+    let vertices = vec![
+        dvec3(0.0, 0.0, 0.0),
+        dvec3(2.0, 0.0, 0.0),
+        dvec3(2.0, 2.0, 0.0),
+        dvec3(0.0, 2.0, 0.0),
+    ];
+    Mesh::new(vertices, vec![[0, 1, 2], [0, 2, 3]], normals, build).unwrap()
+}
+
+fn down(x: f64, y: f64) -> Ray {
+    Ray::new(dvec3(x, y, 3.0), dvec3(0.0, 0.0, -1.0))
+}
+
+#[test]
+fn says_which_triangle_and_the_first_on_a_tie() {
+    for build in [Build::List, Build::Bvh] {
+        let mesh = square(None, build);
+        let part = |ray| mesh.intersect(&ray, Interval::AHEAD).map(|c| (c.t, c.part));
+        assert_eq!(part(down(1.5, 0.5)), Some((3.0, 0)));
+        assert_eq!(part(down(0.5, 1.5)), Some((3.0, 1)));
+        assert_eq!(part(down(1.0, 1.0)), Some((3.0, 0)), "the shared edge");
+        assert_eq!(part(down(-0.1, 1.0)), None);
+        assert!(mesh.occludes(&down(1.0, 1.0), Interval::AHEAD));
+        assert!(!mesh.occludes(&down(1.0, 1.0), Interval::new(0.0, 3.0)));
+    }
+}
+
+#[test]
+fn normals_are_interpolated_where_there_are_any() {
+    let tilted = dvec3(3.0, 0.0, 4.0);
+    let straight = dvec3(0.0, 0.0, 9.0);
+    let normals = MeshNormals {
+        normals: vec![straight, tilted, DVec3::ZERO],
+        faces: vec![[0, 1, 1], [2, 0, 0]],
+    };
+    let mesh = square(Some(normals), Build::Bvh);
+    let shading = |ray: Ray| {
+        let contact = mesh.intersect(&ray, Interval::AHEAD).unwrap();
+        let surface = mesh.surface(&ray, &contact);
+        assert_eq!(surface.geometric_normal, UnitVec::Z);
+        surface.shading_normal.to_array()
+    };
+    assert_eq!(shading(down(0.0, 0.0)), [0.0, 0.0, 1.0]);
+    let [x, _, z] = shading(down(2.0, 1.0));
+    assert!((x - 0.6).abs() < 1e-15 && (z - 0.8).abs() < 1e-15);
+    let [x, _, z] = shading(down(1.0, 0.5));
+    assert!((x / z - 0.3 / 0.9).abs() < 1e-15, "half way, then normalized");
+    assert_eq!(shading(down(0.5, 1.5)), [0.0, 0.0, 1.0], "a corner without one: the true normal");
+}
+
+#[test]
+fn bad_meshes_are_refused() {
+    let v = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+    let fields = |vertices, faces, normals| {
+        let refused = Mesh::new(vertices, faces, normals, Build::Bvh).unwrap_err();
+        refused.refusals().iter().map(|r| r.field).collect::<Vec<_>>()
+    };
+    assert_eq!(fields(v.clone(), vec![], None), ["faces"]);
+    assert_eq!(fields(v.clone(), vec![[0, 1, 3]], None), ["faces"]);
+    let nan = vec![DVec3::ZERO, DVec3::X, dvec3(0.0, f64::NAN, 0.0)];
+    assert_eq!(fields(nan, vec![[0, 1, 2]], None), ["vertices"]);
+    let normals = MeshNormals { normals: vec![DVec3::Z], faces: vec![[0, 0, 1]] };
+    assert_eq!(fields(v.clone(), vec![[0, 1, 2]], Some(normals)), ["normals"]);
+    let none = MeshNormals { normals: vec![], faces: vec![] };
+    assert_eq!(fields(v, vec![[0, 1, 2]], Some(none)), ["normals"]);
+}
+
+#[test]
+fn a_triangle_without_an_area_is_kept_and_never_hit() {
+    let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+    let mesh = Mesh::new(vertices, vec![[0, 0, 1], [0, 1, 2]], None, Build::Bvh).unwrap();
+    assert_eq!(mesh.triangle_count(), 2);
+    let hit = mesh.intersect(&down(0.25, 0.25), Interval::AHEAD).unwrap();
+    assert_eq!(hit.part, 1);
+}

@@ -1,0 +1,103 @@
+//! `Plane`: the lecture's second condition, `(x - a).n = 0`, alone.
+
+use glam::DVec3;
+
+use super::{Contact, Geometry, SurfacePoint};
+use crate::math::{UNIT_ROUNDOFF, max_abs};
+use crate::refused::{direction, point};
+use crate::{Aabb, Interval, Ray, Refused, UnitVec};
+
+/// The infinite plane through `point` with this `normal`; both sides are hit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    point: DVec3,
+    normal: UnitVec,
+}
+
+impl Plane {
+    /// A plane; the normal may have any length.
+    ///
+    /// # Errors
+    /// Refuses numbers that are not finite and a normal of no length.
+    pub fn new(point_: DVec3, normal: DVec3) -> Result<Self, Refused> {
+        Refused::unless([point("point", point_), direction("normal", normal)])?;
+        // Checked above; the axis is never used.
+        Ok(Self { point: point_, normal: UnitVec::new(normal).unwrap_or(UnitVec::Z) })
+    }
+
+    /// Which `t` puts the ray on the plane: `t = (a - p).n / d.n`. Infinite or
+    /// NaN for a ray along the plane and NaN for an infinite direction, which
+    /// no interval contains.
+    pub(super) fn t(&self, ray: &Ray) -> f64 {
+        let approach = ray.direction.dot(*self.normal);
+        if approach.is_infinite() {
+            return f64::NAN;
+        }
+        (self.point - ray.origin).dot(*self.normal) / approach
+    }
+}
+
+impl Geometry for Plane {
+    fn bounds(&self) -> Aabb {
+        Aabb::EVERYTHING
+    }
+
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+        let t = self.t(ray);
+        range.contains(t).then_some(Contact::at(t))
+    }
+
+    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+        let n = *self.normal;
+        let x = ray.at(contact.t);
+        // Put back onto the plane along its normal.
+        let point = x - (x - self.point).dot(n) * n;
+        SurfacePoint {
+            point,
+            error: 16.0 * UNIT_ROUNDOFF * (max_abs(point) + max_abs(self.point)),
+            geometric_normal: self.normal,
+            shading_normal: self.normal,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::dvec3;
+
+    use super::*;
+
+    #[track_caller]
+    fn check(p: [f64; 3], d: [f64; 3], expected: Option<f64>) {
+        let plane = Plane::new(dvec3(5.0, 1.0, 0.0), dvec3(0.0, 3.0, 0.0)).unwrap();
+        let ray = Ray::new(DVec3::from_array(p), DVec3::from_array(d));
+        assert_eq!(plane.intersect(&ray, Interval::AHEAD).map(|c| c.t), expected);
+    }
+
+    #[test]
+    fn above_below_away_and_along() {
+        check([0.0, 3.0, 0.0], [0.0, -0.5, 7.0], Some(4.0));
+        check([0.0, -3.0, 0.0], [0.0, 0.5, 7.0], Some(8.0));
+        check([0.0, 3.0, 0.0], [0.0, 0.5, 0.0], None);
+        check([0.0, 3.0, 0.0], [1.0, 0.0, 0.0], None);
+        check([0.0, 1.0, 0.0], [1.0, 0.0, 0.0], None);
+        check([0.0, f64::NAN, 0.0], [0.0, -1.0, 0.0], None);
+    }
+
+    #[test]
+    fn the_normal_does_not_turn() {
+        let plane = Plane::new(DVec3::ZERO, dvec3(0.0, 3.0, 0.0)).unwrap();
+        for y in [2.0, -2.0] {
+            let ray = Ray::new(dvec3(1.0, y, 0.0), dvec3(0.0, -y, 0.0));
+            let surface = plane.surface(&ray, &Contact::at(1.0));
+            assert_eq!(surface.geometric_normal, UnitVec::Y);
+            assert_eq!(surface.point, dvec3(1.0, 0.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn bad_planes_are_refused() {
+        assert!(Plane::new(DVec3::ZERO, DVec3::ZERO).is_err());
+        assert!(Plane::new(DVec3::ZERO, dvec3(f64::NAN, 1.0, 0.0)).is_err());
+    }
+}

@@ -1,0 +1,137 @@
+//! The watertight triangle against answers known on paper, the textbook forms,
+//! and rays aimed at shared edges.
+
+use glam::dvec3;
+
+use super::*;
+use crate::lecture::{triangle_inside_edges, triangle_linear_system};
+
+const CORNERS: [DVec3; 3] = [dvec3(0.0, 0.0, 0.0), dvec3(4.0, 0.0, 0.0), dvec3(0.0, 2.0, 0.0)];
+
+#[track_caller]
+fn check(p: [f64; 3], d: [f64; 3], range: Interval, expected: Option<f64>) {
+    let [a, b, c] = CORNERS;
+    let ray = Ray::new(DVec3::from_array(p), DVec3::from_array(d));
+    for corners in [[a, b, c], [b, c, a], [c, b, a]] {
+        let [a, b, c] = corners;
+        let triangle = Triangle::new(a, b, c).unwrap();
+        assert_eq!(triangle.intersect(&ray, range).map(|c| c.t), expected, "{corners:?}");
+    }
+}
+
+const AHEAD: Interval = Interval::AHEAD;
+
+#[test]
+fn ugly_rays_miss() {
+    let nan = f64::NAN;
+    check([nan, 0.5, 8.0], [0.0, 0.0, -2.0], AHEAD, None);
+    check([1.0, 0.5, 8.0], [nan, 0.0, -2.0], AHEAD, None);
+    check([1.0, 0.5, 8.0], [0.0, 0.0, nan], AHEAD, None);
+    check([1.0, 0.5, f64::INFINITY], [0.0, 0.0, -2.0], AHEAD, None);
+    check([1.0, 0.5, 8.0], [0.0, 0.0, 0.0], AHEAD, None);
+}
+
+#[test]
+fn inside_outside_edges_corners_and_both_sides() {
+    let d = [0.0, 0.0, -2.0];
+    check([1.0, 0.5, 8.0], d, AHEAD, Some(4.0));
+    check([1.0, 0.5, -8.0], [0.0, 0.0, 2.0], AHEAD, Some(4.0));
+    check([3.0, 1.0, 8.0], d, AHEAD, None);
+    check([-0.5, 1.0, 8.0], d, AHEAD, None);
+    check([1.0, -0.5, 8.0], d, AHEAD, None);
+    check([2.0, 1.0, 8.0], d, AHEAD, Some(4.0));
+    check([0.0, 1.0, 8.0], d, AHEAD, Some(4.0));
+    check([4.0, 0.0, 8.0], d, AHEAD, Some(4.0));
+    check([5.0, 0.5, 8.0], [-1.0, 0.0, -2.0], AHEAD, Some(4.0));
+    check([1.0, 8.5, 8.0], [0.0, -8.0, -8.0], AHEAD, Some(1.0));
+}
+
+#[test]
+fn behind_out_of_range_and_parallel() {
+    let d = [0.0, 0.0, -2.0];
+    check([1.0, 0.5, -8.0], d, AHEAD, None);
+    check([1.0, 0.5, 8.0], d, Interval::new(0.0, 4.0), None);
+    check([1.0, 0.5, 8.0], d, Interval::new(4.0, 9.0), None);
+    check([-1.0, 0.5, 0.0], [1.0, 0.0, 0.0], AHEAD, None);
+    check([-1.0, 0.5, 1.0], [1.0, 0.0, 0.0], AHEAD, None);
+}
+
+#[test]
+fn weights_and_normal() {
+    let [a, b, c] = CORNERS;
+    let triangle = Triangle::new(a, b, c).unwrap();
+    let ray = Ray::new(dvec3(1.0, 0.5, 8.0), dvec3(0.0, 0.0, -2.0));
+    let contact = triangle.intersect(&ray, AHEAD).unwrap();
+    assert_eq!(contact.barycentric, [0.25, 0.25]);
+    let surface = triangle.surface(&ray, &contact);
+    assert_eq!(surface.point, dvec3(1.0, 0.5, 0.0));
+    assert_eq!(surface.geometric_normal, UnitVec::Z);
+    let back = Triangle::new(a, c, b).unwrap();
+    let surface = back.surface(&ray, &back.intersect(&ray, AHEAD).unwrap());
+    assert_eq!(*surface.geometric_normal, -DVec3::Z, "the winding says where the front is");
+}
+
+#[test]
+fn agrees_with_both_textbook_forms_away_from_edges() {
+    let mut rng = fastrand::Rng::with_seed(7);
+    let mut any = || dvec3(rng.f64(), rng.f64(), rng.f64()) * 2.0 - 1.0;
+    let mut hits = 0;
+    for _ in 0..20_000 {
+        let (a, b, c) = (any(), any(), any());
+        let Ok(triangle) = Triangle::new(a, b, c) else {
+            continue;
+        };
+        let origin = 3.0 * any();
+        let target = (a + b + c) / 3.0 + any();
+        let ray = Ray::new(origin, target - origin);
+        let ours = triangle.intersect(&ray, AHEAD).map(|c| c.t);
+        let edges = triangle_inside_edges([a, b, c], &ray, AHEAD);
+        let system = triangle_linear_system([a, b, c], &ray, AHEAD).map(|(t, ..)| t);
+        assert_eq!(ours.is_some(), edges.is_some(), "{ray:?}");
+        assert_eq!(ours.is_some(), system.is_some(), "{ray:?}");
+        if let (Some(t), Some(edges), Some(system)) = (ours, edges, system) {
+            hits += 1;
+            assert!((t - edges).abs() < 1e-9 * t.max(1.0), "{t} {edges}");
+            assert!((t - system).abs() < 1e-9 * t.max(1.0), "{t} {system}");
+        }
+    }
+    assert!(hits > 1_000, "{hits} hits are too few to say anything");
+}
+
+#[test]
+fn no_ray_passes_between_two_triangles_where_the_textbook_leaks() {
+    let mut rng = fastrand::Rng::with_seed(11);
+    let mut any = || dvec3(rng.f64(), rng.f64(), rng.f64()) * 2.0 - 1.0;
+    let (mut leaks, mut textbook_leaks) = (0, 0);
+    for _ in 0..50_000 {
+        // The edge from p to q, with one triangle on each side of it as seen
+        // from the origin of the ray.
+        let (p, q, s, origin) = (any(), any(), any(), 4.0 * any());
+        let middle = 0.5 * (p + q);
+        let (left, right) = (middle + s, middle - s);
+        let on_edge = p + (q - p) * rng_between(&mut any);
+        let ray = Ray::new(origin, on_edge - origin);
+        let range = Interval::AHEAD;
+        let shear = Shear::new(&ray);
+        let hit = |c| shear.intersect(c, range).is_some();
+        leaks += u32::from(!hit([p, q, left]) && !hit([q, p, right]));
+        let hit = |c| triangle_linear_system(c, &ray, range).is_some();
+        textbook_leaks += u32::from(!hit([p, q, left]) && !hit([q, p, right]));
+    }
+    assert_eq!(leaks, 0);
+    assert!(textbook_leaks > 0, "the rays are not aimed well enough to tell");
+}
+
+/// A number between 0.1 and 0.9.
+fn rng_between(any: &mut impl FnMut() -> DVec3) -> f64 {
+    0.5 + 0.4 * any().x
+}
+
+#[test]
+fn corners_on_a_line_are_refused_and_never_hit() {
+    let refused = Triangle::new(DVec3::ZERO, DVec3::X, 2.0 * DVec3::X).unwrap_err();
+    assert_eq!(refused.refusals()[0].field, "c");
+    let ray = Ray::new(dvec3(0.5, 0.0, 3.0), dvec3(0.0, 0.0, -1.0));
+    let line = [DVec3::ZERO, DVec3::X, 2.0 * DVec3::X];
+    assert_eq!(Shear::new(&ray).intersect(line, AHEAD), None);
+}

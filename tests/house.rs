@@ -1,0 +1,137 @@
+//! The invariants of `ARCHITECTURE.md` that can be read off the sources.
+#![allow(clippy::unwrap_used)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use conformance::{repository, repository_suite};
+use harness::fixture::{Build, Fixture};
+use harness::{golden, judge, picture, run, sample_mesh};
+
+/// Every Rust file below a folder of the repository, with its text.
+fn sources(folder: &str) -> Vec<(PathBuf, String)> {
+    fn walk(folder: &Path, found: &mut Vec<(PathBuf, String)>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                walk(&path, found);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                found.push((path.clone(), fs::read_to_string(&path).unwrap()));
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk(&repository().join(folder), &mut found);
+    assert!(!found.is_empty(), "{folder}");
+    found.sort();
+    found
+}
+
+fn all_sources() -> Vec<(PathBuf, String)> {
+    ["crates", "xtask", "tests"].into_iter().flat_map(sources).collect()
+}
+
+/// The names under a heading of a manifest.
+fn dependencies(manifest: &str, heading: &str) -> Vec<String> {
+    let text = fs::read_to_string(repository().join(manifest)).unwrap();
+    let lines = text.lines().skip_while(|line| *line != heading).skip(1);
+    let lines = lines.take_while(|line| !line.starts_with('['));
+    let name = |line: &str| line.split(['.', ' ', '=']).next().unwrap_or("").to_owned();
+    lines.map(name).filter(|name| !name.is_empty()).collect()
+}
+
+#[test]
+fn the_tracer_depends_on_nothing_that_does_io() {
+    let found = dependencies("crates/tracer/Cargo.toml", "[dependencies]");
+    assert_eq!(found, ["glam", "libm", "rayon"]);
+}
+
+#[test]
+fn crates_import_only_downwards() {
+    let ours = ["tracer", "scene", "harness", "xtask", "conformance"];
+    let below = |manifest: &str| -> Vec<String> {
+        let all = dependencies(manifest, "[dependencies]");
+        all.into_iter().filter(|name| ours.contains(&name.as_str())).collect()
+    };
+    assert_eq!(below("crates/tracer/Cargo.toml"), [""; 0]);
+    assert_eq!(below("crates/scene/Cargo.toml"), ["tracer"]);
+    assert_eq!(below("crates/harness/Cargo.toml"), ["scene", "tracer"]);
+    assert_eq!(below("xtask/Cargo.toml"), ["harness"]);
+}
+
+#[test]
+fn one_file_opens_files() {
+    for (path, text) in ["crates", "xtask/src"].into_iter().flat_map(sources) {
+        let is_store = path.ends_with("crates/harness/src/store.rs");
+        let opens = ["std::fs", "fs::read", "fs::write", "File::open"];
+        let found = opens.iter().find(|opens| text.contains(**opens));
+        assert!(is_store || found.is_none(), "{} says {found:?}", path.display());
+    }
+}
+
+#[test]
+fn every_file_says_what_it_is_and_is_one_idea_long() {
+    for (path, text) in all_sources() {
+        assert!(text.starts_with("//! "), "{}: expected `//! ` at the start", path.display());
+        let lines = text.lines().count();
+        assert!(lines <= 420, "{}: {lines} lines", path.display());
+    }
+}
+
+#[test]
+fn nothing_is_unfinished_ignored_or_unsafe() {
+    // Put together, so that this file does not name them.
+    let words = ["todo!", "unimplemented!", "dbg!", "#[ignore", "FIXME", "XXX", "unsafe "];
+    for (path, text) in all_sources() {
+        if path.ends_with("tests/house.rs") {
+            continue;
+        }
+        let found = words.iter().find(|word| text.contains(**word));
+        assert!(found.is_none(), "{} says {found:?}", path.display());
+    }
+}
+
+#[test]
+fn the_contact_sheet_shows_the_goldens_of_today() {
+    let suite = repository_suite();
+    let golden = |name: String| {
+        let found = run::find_golden(&suite.golden_path(&name));
+        let picture = found.picture().unwrap().clone();
+        (name, picture)
+    };
+    let pictures: Vec<_> = suite.select(&[]).unwrap().fixtures.into_iter().map(golden).collect();
+    let committed = fs::read(repository().join("docs/contact-sheet.png")).unwrap();
+    assert!(
+        golden::from_png(&committed).unwrap().picture == picture::contact_sheet(&pictures),
+        "docs/contact-sheet.png is out of date: cargo xtask contact-sheet"
+    );
+}
+
+#[test]
+fn the_sample_meshes_are_what_the_code_makes() {
+    for (path, bytes) in sample_mesh::sample_meshes() {
+        let committed = fs::read(repository().join(path)).unwrap();
+        assert!(committed == bytes, "{path} is out of date: cargo xtask meshes");
+    }
+}
+
+#[test]
+fn the_fixture_of_the_readme_is_good_and_keeps_its_word() {
+    let readme = fs::read_to_string(repository().join("README.md")).unwrap();
+    let text = readme.split("```ron\n").nth(1).unwrap().split("```").next().unwrap();
+    let files = std::collections::BTreeMap::new();
+    let fixture = Fixture::read("README.md", text, &files, Build::Bvh).unwrap();
+    assert!(!fixture.check.expect.is_empty());
+    let picture = fixture.render().unwrap();
+    assert_eq!(judge::broken_expectations(&fixture, &picture), [""; 0]);
+}
+
+#[test]
+fn every_fixture_says_first_what_would_be_seen_if_it_broke() {
+    let suite = repository_suite();
+    for name in suite.select(&[]).unwrap().fixtures {
+        let text = fs::read_to_string(suite.fixture_path(&name)).unwrap();
+        let comment: String = text.lines().take_while(|line| line.starts_with("//")).collect();
+        assert!(comment.len() > 60, "{name}: expected a comment that says so");
+    }
+}

@@ -1,0 +1,45 @@
+//! `check`: judge fixtures against their goldens.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use harness::report::{outcome_line, run_json, summarize};
+use harness::suite::Suite;
+use harness::verdict::Verdict;
+use harness::{run, store};
+
+use super::progress::Progress;
+use crate::{Answer, CannotAsk};
+
+/// Flags of `check`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Which fixtures; all if none is given
+    #[arg(value_name = "FILTER")]
+    filters: Vec<String>,
+    /// Also write everything to this file as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+pub(crate) fn run(suite: &Suite, args: &Args) -> Result<Answer, CannotAsk> {
+    let started = Instant::now();
+    let selection = suite.select(&args.filters)?;
+    let progress = Progress::start("checking", selection.fixtures.len() + selection.orphans.len());
+    let outcomes = run::run(suite, &selection, &|outcome| {
+        progress.advance(&outcome.name);
+    })?;
+    progress.finish();
+
+    for outcome in outcomes.iter().filter(|outcome| outcome.verdict != Verdict::Match) {
+        println!("{}", outcome_line(outcome));
+    }
+    let elapsed = started.elapsed().as_secs_f64();
+    let summary = summarize(&outcomes);
+    println!("{summary} ({elapsed:.2} s)");
+    if let Some(path) = &args.json {
+        let json = serde_json::to_string_pretty(&run_json(&outcomes, elapsed * 1e3))?;
+        store::write(path, json.as_bytes())?;
+    }
+    Ok(if summary.is_green() { Answer::Yes } else { Answer::No })
+}

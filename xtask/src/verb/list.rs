@@ -1,0 +1,73 @@
+//! `list`: what there is to check, and to measure by.
+
+use std::fmt::Write;
+
+use harness::metric::{Direction, METRICS};
+use harness::suite::Suite;
+use serde_json::{Value, json};
+
+use crate::{Answer, CannotAsk};
+
+/// Flags of `list`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Which fixtures; all if none is given
+    #[arg(value_name = "FILTER", conflicts_with = "metrics")]
+    filters: Vec<String>,
+    /// List the metrics instead, each with its range and what it cannot see
+    #[arg(long)]
+    metrics: bool,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(
+    suite: impl FnOnce() -> Result<Suite, CannotAsk>,
+    args: &Args,
+) -> Result<Answer, CannotAsk> {
+    let (text, json) = if args.metrics { metrics() } else { fixtures(&suite()?, &args.filters)? };
+    if args.json {
+        println!("{}", serde_json::to_string_pretty(&json)?);
+    } else {
+        print!("{text}");
+    }
+    Ok(Answer::Yes)
+}
+
+fn fixtures(suite: &Suite, filters: &[String]) -> Result<(String, Value), CannotAsk> {
+    let selection = suite.select(filters)?;
+    let mut text = String::new();
+    for name in &selection.fixtures {
+        let _ = writeln!(text, "{name}");
+    }
+    for name in &selection.orphans {
+        let _ = writeln!(text, "{name} (a golden without a fixture)");
+    }
+    let fixture = |name: &String| json!({ "name": name, "file": Suite::fixture_label(name) });
+    let fixtures: Vec<_> = selection.fixtures.iter().map(fixture).collect();
+    let json = json!({ "schema": 1, "fixtures": fixtures, "orphans": selection.orphans });
+    Ok((text, json))
+}
+
+fn metrics() -> (String, Value) {
+    let direction = |d: Direction| match d {
+        Direction::HigherIsBetter => "higher is better",
+        Direction::LowerIsBetter => "lower is better",
+    };
+    let mut text = String::new();
+    let mut all = Vec::new();
+    for m in METRICS {
+        let (name, range, unit) = (m.name, m.range, m.unit);
+        let way = direction(m.direction);
+        let gates = if m.can_gate { "can decide a verdict" } else { "is reported only" };
+        let _ =
+            write!(text, "{name}: {}\n  range {range}, unit {unit}, {way}, {gates}\n", m.measures);
+        let _ = writeln!(text, "  cannot see: {}", m.blind_spot);
+        all.push(json!({
+            "name": name, "measures": m.measures, "range": range, "unit": unit,
+            "direction": way, "gates": m.can_gate, "blind_spot": m.blind_spot,
+        }));
+    }
+    (text, json!({ "schema": 1, "metrics": all }))
+}

@@ -1,0 +1,33 @@
+//! `Progress`: a bar on a terminal, one line of plain text elsewhere.
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Shows how far a run is, on standard error.
+pub(crate) struct Progress(ProgressBar);
+
+impl Progress {
+    /// Starts counting to `total`; `doing` is "checking" or the like.
+    pub(crate) fn start(doing: &'static str, total: usize) -> Self {
+        let bar = ProgressBar::new(total as u64);
+        if bar.is_hidden() {
+            eprintln!("{doing} {total} fixtures");
+        }
+        let template = "{prefix} [{bar:40}] {pos}/{len} {wide_msg}";
+        let style =
+            ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        bar.set_style(style.progress_chars("=> "));
+        bar.set_prefix(doing);
+        Self(bar)
+    }
+
+    /// One more is done, the last of them being this.
+    pub(crate) fn advance(&self, last: &str) {
+        self.0.set_message(last.to_owned());
+        self.0.inc(1);
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+}

@@ -1,0 +1,259 @@
+//! The real binary in a temporary tree: exit codes and text.
+#![allow(clippy::unwrap_used, clippy::disallowed_methods)]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// A white square in the middle of black, which renders in no time.
+const SQUARE: &str = r"// A square.
+(
+    version: 1,
+    image: (16, 12),
+    camera: Parallel(view_point: (0, 0, 5), view_width: 4, view_height: 3),
+    show: Silhouette,
+    objects: [Box(min: (-1, -1, -1), max: (1, 1, 1))],
+)";
+
+/// A folder with some fixtures, and the binary to run there.
+struct Tree(tempfile::TempDir);
+
+impl Tree {
+    fn new(fixtures: &[(&str, &str)]) -> Self {
+        let tree = Self(tempfile::tempdir().unwrap());
+        for (name, text) in fixtures {
+            tree.write(&format!("fixtures/{name}.ron"), text.as_bytes());
+        }
+        tree
+    }
+
+    /// The same, with goldens for all.
+    fn blessed(fixtures: &[(&str, &str)]) -> Self {
+        let tree = Self::new(fixtures);
+        tree.run(&["bless", "--all"]).expect_code(0);
+        tree
+    }
+
+    fn path(&self, path: &str) -> std::path::PathBuf {
+        self.0.path().join(path)
+    }
+
+    fn write(&self, path: &str, bytes: &[u8]) {
+        let path = self.path(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, bytes).unwrap();
+    }
+
+    fn run(&self, args: &[&str]) -> Ran {
+        self.run_with(args, &[])
+    }
+
+    fn run_with(&self, args: &[&str], variables: &[(&str, &str)]) -> Ran {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+        command.args(args).current_dir(self.0.path()).env_remove("CI");
+        command.envs(variables.iter().copied());
+        Ran(command.output().unwrap())
+    }
+}
+
+struct Ran(Output);
+
+impl Ran {
+    fn stdout(&self) -> String {
+        String::from_utf8(self.0.stdout.clone()).unwrap()
+    }
+
+    fn stderr(&self) -> String {
+        String::from_utf8(self.0.stderr.clone()).unwrap()
+    }
+
+    #[track_caller]
+    fn expect_code(self, code: i32) -> Self {
+        let found = self.0.status.code();
+        assert_eq!(found, Some(code), "{}\n{}", self.stdout(), self.stderr());
+        self
+    }
+
+    #[track_caller]
+    fn expect(self, text: &str) -> Self {
+        let all = format!("{}{}", self.stdout(), self.stderr());
+        assert!(all.contains(text), "expected {text:?} in:\n{all}");
+        self
+    }
+}
+
+/// What changes from run to run, made plain.
+fn plain(json: &str) -> String {
+    let times = ["render_ms", "compare_ms", "elapsed_ms"];
+    let plain = |line: &str| match times.iter().find(|key| line.contains(&format!("\"{key}\""))) {
+        Some(key) => format!("      {key}: [a time]"),
+        None => line.to_owned(),
+    };
+    json.lines().map(plain).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn help_of_every_verb() {
+    let tree = Tree::new(&[]);
+    let help = |verb: &str| {
+        let args = [verb, "--help"];
+        tree.run(if verb.is_empty() { &args[1..] } else { &args }).expect_code(0).stdout()
+    };
+    let verbs =
+        ["", "check", "bless", "new", "list", "render", "compare", "contact-sheet", "meshes"];
+    let all = verbs.map(|verb| format!("==== {verb} ====\n{}", help(verb))).join("\n");
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn check_answers_yes_no_and_cannot_ask() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    tree.run(&["check"]).expect_code(0).expect("2 judged: 2 match");
+    tree.run(&["check", "a"]).expect_code(0).expect("1 judged: 1 match");
+    tree.run(&["check", "c"]).expect_code(2).expect("the filter \"c\" selects nothing");
+    tree.run(&["check", "--no-such-flag"]).expect_code(2);
+    tree.run(&["no-such-verb"]).expect_code(2);
+    tree.run(&["check", "--root", "/nowhere"]).expect_code(2).expect("fixtures/");
+    fs::remove_file(tree.path("golden/b.png")).unwrap();
+    let ran = tree.run(&["check"]).expect_code(1).expect("1 match, 1 missing golden");
+    ran.expect("missing golden      b: there is no golden | see target/goldray/b.png | if meant: cargo xtask bless b");
+    assert!(tree.path("target/goldray/b.png").is_file());
+}
+
+#[test]
+fn check_says_what_is_wrong_with_a_fixture() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    tree.write("fixtures/b.ron", SQUARE.replace("image", "imgae").as_bytes());
+    let ran = tree.run(&["check"]).expect_code(1);
+    ran.expect("fixtures/b.ron:4:5: unknown field `imgae`").expect("did you mean `image`?");
+    tree.write("fixtures/b.ron", b"\xff");
+    tree.run(&["check"]).expect_code(1).expect("expected UTF-8 text");
+}
+
+#[test]
+fn check_works_from_a_folder_below_the_suite() {
+    let tree = Tree::blessed(&[("deep/a", SQUARE)]);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+    let output = command.arg("check").current_dir(tree.path("fixtures/deep")).output().unwrap();
+    Ran(output).expect_code(0).expect("1 match");
+}
+
+#[test]
+fn the_shape_of_the_json() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE), ("c", SQUARE)]);
+    tree.write("fixtures/b.ron", SQUARE.replace("(1, 1, 1)", "(1, 0.5, 1)").as_bytes());
+    fs::remove_file(tree.path("golden/c.png")).unwrap();
+    tree.run(&["check", "--json", "out/all.json"]).expect_code(1);
+    let json = fs::read_to_string(tree.path("out/all.json")).unwrap();
+    insta::assert_snapshot!(plain(&json));
+}
+
+#[test]
+fn bless_is_deliberate_narrow_and_impossible_in_ci() {
+    let tree = Tree::new(&[("a", SQUARE), ("b", SQUARE)]);
+    tree.run(&["bless"]).expect_code(2);
+    tree.run(&["bless", "--all", "a"]).expect_code(2);
+    for value in ["true", "1", ""] {
+        let ran = tree.run_with(&["bless", "--all"], &[("CI", value)]);
+        ran.expect_code(2).expect("found the variable CI set");
+    }
+    assert!(!tree.path("golden").exists());
+    tree.run(&["bless", "zzz"]).expect_code(2).expect("selects nothing");
+
+    tree.run(&["bless", "a"]).expect_code(0).expect("added     a").expect("1 written");
+    assert!(tree.path("golden/a.png").is_file() && !tree.path("golden/b.png").exists());
+    tree.run(&["bless", "--all"]).expect_code(0).expect("1 written, 1 left as they were");
+
+    tree.write("fixtures/a.ron", SQUARE.replace("(1, 1, 1)", "(1, 0.5, 1)").as_bytes());
+    let ran = tree.run(&["bless", "a"]).expect_code(0);
+    ran.expect("replaced  a: was stale golden, old to new: 16 px differ");
+    let left = fs::read_dir(tree.path("golden")).unwrap().count();
+    assert_eq!(left, 2, "no temporary file is left behind");
+}
+
+#[test]
+fn bless_removes_orphans_only_when_asked() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    fs::remove_file(tree.path("fixtures/b.ron")).unwrap();
+    tree.run(&["check"]).expect_code(1).expect("cargo xtask bless --prune b");
+    tree.run(&["bless", "--all"]).expect_code(0).expect("--prune removes it");
+    assert!(tree.path("golden/b.png").is_file());
+    tree.run(&["bless", "--prune", "b"]).expect_code(0).expect("pruned    b");
+    assert!(!tree.path("golden/b.png").exists());
+    tree.run(&["check"]).expect_code(0);
+}
+
+#[test]
+fn new_writes_a_fixture_that_can_be_blessed() {
+    let tree = Tree::blessed(&[("a", SQUARE)]);
+    tree.run(&["new", "area/mine"]).expect_code(0).expect("wrote fixtures/area/mine.ron");
+    tree.run(&["new", "area/mine"]).expect_code(2).expect("is there already");
+    tree.run(&["new", "../mine"]).expect_code(2).expect("expected a name");
+    tree.run(&["check"]).expect_code(1).expect("missing golden");
+    tree.run(&["bless", "area/mine"]).expect_code(0);
+    tree.run(&["check"]).expect_code(0).expect("2 match");
+}
+
+#[test]
+fn list_names_and_metrics() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    assert_eq!(tree.run(&["list"]).expect_code(0).stdout(), "a\nb\n");
+    assert_eq!(tree.run(&["list", "b"]).expect_code(0).stdout(), "b\n");
+    tree.run(&["list", "zzz"]).expect_code(2);
+    tree.run(&["list", "--json"]).expect_code(0).expect("\"file\": \"fixtures/a.ron\"");
+    tree.run(&["list", "--metrics"]).expect_code(0).expect("ssim_min").expect("cannot see");
+}
+
+#[test]
+fn render_and_compare() {
+    let tree = Tree::blessed(&[("a", SQUARE)]);
+    tree.run(&["render", "a", "--out", "a.png"]).expect_code(0);
+    tree.run(&["render", "fixtures/a.ron", "--out", "a.exr"]).expect_code(0);
+    tree.run(&["compare", "golden/a.png", "a.png"]).expect_code(0).expect("ssim_mean");
+    tree.run(&["compare", "a.png", "a.exr"]).expect_code(0);
+    tree.run(&["compare", "a.exr", "a.exr"]).expect_code(0).expect("linear_max_abs");
+    tree.write("fixtures/b.ron", SQUARE.replace("(1, 1, 1)", "(1, 0.5, 1)").as_bytes());
+    tree.run(&["render", "b", "--out", "b.png"]).expect_code(0);
+    let ran = tree.run(&["compare", "a.png", "b.png", "--json"]).expect_code(1);
+    ran.expect("\"schema\": 1").expect("\"differing_pixels\": 16").expect("\"max_abs\": 255");
+
+    tree.run(&["render", "a", "--out", "a.gif"]).expect_code(2).expect(".png or .exr");
+    tree.run(&["render", "nowhere.ron", "--out", "a.png"]).expect_code(2).expect("no such file");
+    tree.run(&["compare", "a.png", "nowhere.png"]).expect_code(2).expect("no such file");
+    tree.run(&["compare", "a.png", "fixtures/a.ron"]).expect_code(2).expect("neither a PNG nor");
+    tree.write("fixtures/c.ron", SQUARE.replace("(16, 12)", "(8, 6)").as_bytes());
+    tree.run(&["render", "c", "--out", "c.png"]).expect_code(0);
+    let ran = tree.run(&["compare", "a.png", "c.png"]).expect_code(2);
+    ran.expect("expected a picture of 16 x 12, found 8 x 6");
+}
+
+#[test]
+fn the_contact_sheet_shows_every_golden() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    tree.run(&["contact-sheet", "--out", "sheet.png"]).expect_code(0).expect("2 goldens");
+    assert!(Path::new(&tree.path("sheet.png")).is_file());
+    fs::remove_file(tree.path("golden/b.png")).unwrap();
+    tree.run(&["contact-sheet", "--out", "sheet.png"]).expect_code(2).expect("expected a golden");
+}
+
+#[test]
+fn meshes_are_looked_for_beside_the_scene_and_nowhere_else() {
+    let mesh = SQUARE.replace("Box(min: (-1, -1, -1), max: (1, 1, 1))", "Mesh(file: \"m/a.obj\")");
+    let tree = Tree::new(&[("area/a", &mesh)]);
+    let obj = b"v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+    tree.run(&["check"]).expect_code(1).expect("mesh \"m/a.obj\" does not exist");
+    tree.write("fixtures/area/m/a.obj", obj);
+    tree.run(&["bless", "--all"]).expect_code(0);
+    tree.run(&["check"]).expect_code(0);
+    // The picture is the same, but not by the golden's word.
+    tree.write("fixtures/area/m/a.obj", &[&obj[..], b"# a comment\n"].concat());
+    tree.run(&["check"]).expect_code(1).expect("a file that the scene names changed");
+    #[cfg(unix)]
+    {
+        tree.write("secret.obj", obj);
+        fs::remove_file(tree.path("fixtures/area/m/a.obj")).unwrap();
+        std::os::unix::fs::symlink(tree.path("secret.obj"), tree.path("fixtures/area/m/a.obj"))
+            .unwrap();
+        tree.run(&["check"]).expect_code(1).expect("is a link that leaves the scene's folder");
+    }
+}
