@@ -11,7 +11,20 @@ const INK: [u8; 3] = [230, 230, 230];
 
 /// Panels narrower than this are enlarged, by whole numbers so that pixels stay
 /// squares.
-const READABLE_WIDTH: u32 = 240;
+const READABLE_WIDTH: u32 = 320;
+
+/// Colors of differences from 1, from 2, from 4 and so on to 128: none of them
+/// gray, so that even a difference of 1 stands out, and brighter for more.
+const HEAT: [[u8; 3]; 8] = [
+    [88, 28, 160],
+    [130, 36, 150],
+    [175, 45, 125],
+    [215, 60, 90],
+    [240, 90, 55],
+    [250, 135, 30],
+    [252, 185, 40],
+    [255, 240, 120],
+];
 
 /// The golden, the difference and the actual picture, from left to right, each
 /// under its name. What there is not is left out: a golden, or the difference
@@ -46,7 +59,7 @@ fn panel_width(picture: &EncodedImage, side: u32) -> u32 {
     (picture.size().width * side).max("difference".len() as u32 * LETTER)
 }
 
-/// Equal pixels dim and gray, differing ones red to yellow by how much;
+/// Equal pixels dim and gray, differing ones in a color of [`HEAT`];
 /// `None` for different sizes.
 fn difference(golden: &EncodedImage, actual: &EncodedImage) -> Option<EncodedImage> {
     (golden.size() == actual.size()).then(|| {
@@ -54,13 +67,8 @@ fn difference(golden: &EncodedImage, actual: &EncodedImage) -> Option<EncodedIma
             let (g, a) =
                 (golden.get(x, y).unwrap_or_default(), actual.get(x, y).unwrap_or_default());
             let largest = g.iter().zip(a).map(|(g, a)| g.abs_diff(a)).max().unwrap_or(0);
-            if largest == 0 {
-                let gray = g.iter().map(|&c| u32::from(c)).sum::<u32>() / 3;
-                [(gray / 4) as u8; 3]
-            } else {
-                // Even a difference of 1 must be seen against the gray.
-                [255, largest.saturating_mul(2).min(230), 0]
-            }
+            let gray = g.iter().map(|&c| u32::from(c)).sum::<u32>() / 3;
+            largest.checked_ilog2().map_or([(gray / 4) as u8; 3], |step| HEAT[step as usize])
         })
     })
 }
@@ -78,7 +86,7 @@ mod tests {
         let golden = gray(40, |_, _| 200);
         let actual = gray(40, |x, y| if (x, y) == (3, 5) { 201 } else { 200 });
         let marked = difference(&golden, &actual).unwrap();
-        assert_eq!(marked.get(3, 5), Some([255, 2, 0]));
+        assert_eq!(marked.get(3, 5), Some(HEAT[0]));
         assert_eq!(marked.get(4, 5), Some([50; 3]));
     }
 
@@ -86,9 +94,9 @@ mod tests {
     fn there_are_as_many_panels_as_there_is_to_show() {
         let width = |golden: Option<&EncodedImage>, actual| strip(golden, actual).size().width;
         let (small, large) = (gray(40, |_, _| 9), gray(60, |_, _| 9));
-        assert_eq!(width(Some(&small), &small), 3 * (240 + GAP) + GAP);
-        assert_eq!(width(None, &small), 240 + 2 * GAP);
-        assert_eq!(width(Some(&small), &large), 160 + 240 + 3 * GAP, "no difference");
+        assert_eq!(width(Some(&small), &small), 3 * (320 + GAP) + GAP);
+        assert_eq!(width(None, &small), 320 + 2 * GAP);
+        assert_eq!(width(Some(&small), &large), 200 + 300 + 3 * GAP, "no difference");
         let pixel = EncodedImage::from_fn(Size { width: 1, height: 1 }, |_, _| [0; 3]);
         assert_eq!(width(Some(&pixel), &pixel), 3 * (80 + GAP) + GAP, "wide enough for names");
     }

@@ -131,45 +131,42 @@ fn point(p: format::Triple) -> DVec3 {
 }
 
 fn camera(written: &format::Camera, (width, height): (u32, u32)) -> Result<Camera, Refused> {
+    use format::Camera::{LookAt, Parallel, Perspective};
+    use format::Triple;
+
+    let view = |view_point,
+                [view_dir, view_up]: [Triple; 2],
+                proj_normal: Option<_>,
+                [w, h]: [f64; 2]| View {
+        view_point: point(view_point),
+        view_dir: point(view_dir),
+        view_up: point(view_up),
+        proj_normal: proj_normal.map(point),
+        view_width: w,
+        view_height: h,
+    };
     match *written {
-        format::Camera::Perspective {
-            view_point,
-            view_dir,
-            view_up,
-            proj_normal,
+        Perspective {
+            view_point: e,
+            view_dir: dir,
+            view_up: up,
+            proj_normal: w,
             view_width,
             view_height,
             proj_distance,
-        } => Camera::new(
-            &View {
-                view_point: point(view_point),
-                view_dir: point(view_dir),
-                view_up: point(view_up),
-                proj_normal: proj_normal.map(point),
-                view_width,
-                view_height,
-            },
-            Projection::Perspective { proj_distance },
-        ),
-        format::Camera::Parallel {
-            view_point,
-            view_dir,
-            view_up,
-            proj_normal,
+        } => {
+            let projection = Projection::Perspective { proj_distance };
+            Camera::new(&view(e, [dir, up], w, [view_width, view_height]), projection)
+        }
+        Parallel {
+            view_point: e,
+            view_dir: dir,
+            view_up: up,
+            proj_normal: w,
             view_width,
             view_height,
-        } => Camera::new(
-            &View {
-                view_point: point(view_point),
-                view_dir: point(view_dir),
-                view_up: point(view_up),
-                proj_normal: proj_normal.map(point),
-                view_width,
-                view_height,
-            },
-            Projection::Parallel,
-        ),
-        format::Camera::LookAt { eye, at, up, fov_deg } => {
+        } => Camera::new(&view(e, [dir, up], w, [view_width, view_height]), Projection::Parallel),
+        LookAt { eye, at, up, fov_deg } => {
             // A picture without pixels is refused by the scene.
             let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
             Camera::look_at(point(eye), point(at), point(up), fov_deg, aspect)
