@@ -2,9 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use conformance::{SQUARE, Scratch};
+use harness::bless::Blessed;
 use harness::encode::EncodedImage;
 use harness::golden::{from_png, to_png};
 use harness::store;
+use harness::suite::Selection;
+use harness::verdict::Outcome;
 use tracer::Size;
 
 /// One blessed fixture, `a`, after some damage: the verdicts of all names.
@@ -13,6 +16,11 @@ fn after(damage: impl FnOnce(&Scratch)) -> Vec<(String, &'static str)> {
     assert_eq!(scratch.verdicts(), [("a".to_owned(), "match")], "before the damage");
     damage(&scratch);
     scratch.verdicts()
+}
+
+fn outcomes(scratch: &Scratch) -> Vec<Outcome> {
+    let selection = scratch.suite().select(&[]).unwrap();
+    harness::run::run(scratch.suite(), &selection, &|_| ()).unwrap()
 }
 
 #[track_caller]
@@ -160,6 +168,80 @@ fn a_golden_without_a_note_is_stale_although_it_looks_right() {
 fn a_broken_expectation_is_said_although_the_golden_matches() {
     let wrong = SQUARE.replace("pixels: 64", "pixels: 65");
     check(|s| s.set_fixture("a", &wrong), "expectation_failed");
+}
+
+#[test]
+fn every_expectation_is_checked_and_every_broken_one_said() {
+    let three = SQUARE.replace(
+        "Count(rgb: (255, 255, 255), pixels: 64)",
+        "Count(rgb: (255, 255, 255), pixels: 64), Pixel(at: (0, 0), rgb: (9, 9, 9)), \
+         Count(rgb: (0, 0, 0), pixels: 9)",
+    );
+    let scratch = Scratch::blessed(&[("a", SQUARE)]);
+    scratch.set_fixture("a", &three);
+    let outcome = &outcomes(&scratch)[0];
+    assert_eq!(outcome.verdict.id(), "expectation_failed");
+    assert_eq!(outcome.findings.len(), 2, "{:?}", outcome.findings);
+    assert_eq!(outcome.remedy(), None, "blessing would be refused");
+    // Whatever else is wrong, the expectations are said as well.
+    store::remove(&scratch.suite().golden_path("a")).unwrap();
+    let outcome = &outcomes(&scratch)[0];
+    assert_eq!(outcome.verdict.id(), "missing_golden");
+    assert_eq!(outcome.findings.len(), 3, "{:?}", outcome.findings);
+    assert_eq!(outcome.remedy(), None);
+}
+
+#[test]
+fn a_broken_expectation_outranks_a_missing_note() {
+    let both = |s: &Scratch| {
+        let picture = from_png(&s.golden("a")).unwrap().picture;
+        s.set_golden("a", &to_png(&picture, None).unwrap());
+        s.set_fixture("a", &SQUARE.replace("pixels: 64", "pixels: 65"));
+    };
+    check(both, "expectation_failed");
+}
+
+#[test]
+fn outcomes_are_in_the_order_of_names_orphans_among_them() {
+    let scratch = Scratch::blessed(&[("b", SQUARE), ("d", SQUARE)]);
+    for orphan in ["a", "c", "e"] {
+        scratch.set_golden(orphan, &scratch.golden("b"));
+    }
+    let names: Vec<_> = scratch.verdicts().into_iter().map(|v| v.0).collect();
+    assert_eq!(names, ["a", "b", "c", "d", "e"]);
+}
+
+#[test]
+fn what_cannot_be_written_or_removed_is_refused() {
+    let scratch = Scratch::blessed(&[("a", SQUARE)]);
+    let golden = scratch.suite().golden_path("a");
+    store::remove(&golden).unwrap();
+    // A folder in the golden's place.
+    store::write(&golden.join("x"), b"").unwrap();
+    let selection = Selection { fixtures: vec!["a".into()], orphans: vec!["gone".into()] };
+    let blessed = harness::bless::bless(scratch.suite(), &selection, true, &|_, _| ());
+    for (name, blessed) in blessed {
+        assert!(matches!(blessed, Blessed::Refused(_)), "{name}: {blessed:?}");
+    }
+}
+
+#[test]
+fn a_check_that_makes_no_sense_is_refused_with_its_place() {
+    for (from, to, expected) in [
+        (
+            "check: (",
+            "check: (limits: (max_abs: 255, reason: \"x\"), ",
+            "expected a number from 1 to 254",
+        ),
+        ("pixels: 64)", "pixels: 64), Pixel(at: (16, 0), rgb: (0, 0, 0))", "which is 16 x 12"),
+    ] {
+        let scratch = Scratch::blessed(&[("a", SQUARE)]);
+        scratch.set_fixture("a", &SQUARE.replace(from, to));
+        let outcome = &outcomes(&scratch)[0];
+        assert_eq!(outcome.verdict.id(), "render_refused");
+        let said = outcome.findings.concat();
+        assert!(said.contains(expected) && said.contains("fixtures/a.ron:7:"), "{said}");
+    }
 }
 
 #[test]

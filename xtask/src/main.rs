@@ -4,17 +4,22 @@
 //! (a verdict other than match, pictures that differ, something refused), 2 is
 //! "could not ask" (usage, nothing selected, input that cannot be read).
 
+mod progress;
 mod verb;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use harness::report::Reader;
+use harness::store;
 use harness::suite::{Suite, SuiteError};
+use harness::verdict::shell_word;
 
 /// Render fixture scenes and judge them against their golden images.
 #[derive(Debug, Parser)]
-#[command(name = "cargo xtask", bin_name = "cargo xtask", max_term_width = 100, after_help = AFTER_HELP)]
+#[command(name = "goldray", bin_name = "cargo xtask", version)]
+#[command(max_term_width = 100, after_help = AFTER_HELP)]
 struct Cli {
     /// The suite: a folder with `fixtures/` and `golden/` [default: the nearest one from here up]
     #[arg(long, global = true, value_name = "DIR")]
@@ -79,18 +84,16 @@ impl CannotAsk {
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    let root = cli.root.as_deref();
+    let here = Here { root: cli.root };
     let answer = match cli.verb {
-        Verb::Check(args) => suite(root).and_then(|suite| verb::check::run(&suite, &args)),
-        Verb::Bless(args) => suite(root).and_then(|suite| verb::bless::run(&suite, &args)),
-        Verb::New(args) => suite(root).and_then(|suite| verb::new::run(&suite, &args)),
-        Verb::List(args) => verb::list::run(|| suite(root), &args),
-        Verb::Render(args) => verb::render::run(|| suite(root), &args),
+        Verb::Check(args) => verb::check::run(&here, &args),
+        Verb::Bless(args) => verb::bless::run(&here, &args),
+        Verb::New(args) => verb::new::run(&here, &args),
+        Verb::List(args) => verb::list::run(&here, &args),
+        Verb::Render(args) => verb::render::run(&here, &args),
         Verb::Compare(args) => verb::compare::run(&args),
-        Verb::ContactSheet(args) => {
-            suite(root).and_then(|suite| verb::contact_sheet::run(&suite, &args))
-        }
-        Verb::Meshes => suite(root).and_then(|suite| verb::meshes::run(&suite)),
+        Verb::ContactSheet(args) => verb::contact_sheet::run(&here, &args),
+        Verb::Meshes => verb::meshes::run(&here),
     };
     match answer {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
@@ -102,12 +105,50 @@ fn main() -> ExitCode {
     }
 }
 
-/// The suite at `root`, or the nearest one from the current folder up.
-fn suite(root: Option<&Path>) -> Result<Suite, CannotAsk> {
-    if let Some(root) = root {
-        return Ok(Suite::open(root)?);
+/// Where the command was given.
+pub(crate) struct Here {
+    root: Option<PathBuf>,
+}
+
+impl Here {
+    /// The suite that was named, or the nearest one from the current folder up.
+    pub(crate) fn suite(&self) -> Result<Suite, CannotAsk> {
+        if let Some(root) = &self.root {
+            return Ok(Suite::open(root)?);
+        }
+        let here = std::env::current_dir()?;
+        let nearest = here.ancestors().find_map(|folder| Suite::open(folder).ok());
+        nearest.ok_or_else(|| SuiteError::NoSuite(here).into())
     }
-    let here = std::env::current_dir()?;
-    let nearest = here.ancestors().find_map(|folder| Suite::open(folder).ok());
-    nearest.ok_or_else(|| SuiteError::NoSuite(here).into())
+
+    /// Writes a file that the user named, but none of the suite's own.
+    pub(crate) fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), CannotAsk> {
+        if let Ok(suite) = self.suite() {
+            for folder in ["fixtures", "golden"] {
+                if store::is_inside(path, &suite.root().join(folder)) {
+                    let what = format!("expected a place outside of the suite's {folder}/");
+                    return Err(CannotAsk::file(path, &what));
+                }
+            }
+        }
+        Ok(store::write(path, bytes)?)
+    }
+
+    /// How paths and commands are to be written so that they work here.
+    pub(crate) fn reader(&self, suite: &Suite) -> Reader {
+        let in_suite = std::env::current_dir().is_ok_and(|here| here == suite.root());
+        let root_flag = self
+            .root
+            .as_ref()
+            .map(|root| format!(" --root {}", shell_word(&root.display().to_string())));
+        Reader {
+            // Joining nothing ends the path in one slash.
+            path_prefix: if in_suite {
+                String::new()
+            } else {
+                suite.root().join("").display().to_string()
+            },
+            root_flag: root_flag.unwrap_or_default(),
+        }
+    }
 }

@@ -228,10 +228,38 @@ fn render_and_compare() {
 }
 
 #[test]
+fn what_belongs_to_the_suite_is_not_written_over() {
+    let tree = Tree::blessed(&[("a", SQUARE)]);
+    let outside = "expected a place outside of the suite's";
+    tree.run(&["check", "--json", "fixtures/a.ron"]).expect_code(2).expect(outside);
+    tree.run(&["check", "--json", "golden/new/a.json"]).expect_code(2).expect(outside);
+    tree.run(&["render", "a", "--out", "golden/a.png"]).expect_code(2).expect(outside);
+    fs::create_dir(tree.path("folder")).unwrap();
+    tree.run(&["check", "--json", "folder"]).expect_code(2).expect("is no file");
+    tree.run(&["check"]).expect_code(0);
+}
+
+#[test]
+fn commands_are_printed_as_they_work_where_the_reader_is() {
+    let tree = Tree::new(&[("it's", SQUARE), ("-x", SQUARE)]);
+    let ran = tree.run(&["check"]).expect_code(1);
+    let ran = ran.expect(r"see target/goldray/it's.png | if meant: cargo xtask bless 'it'\''s'");
+    ran.expect("cargo xtask bless -- '-x'");
+    let root = tree.path("").display().to_string();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+    let output = command.args(["check", "--root", &root]).current_dir("/").output().unwrap();
+    let ran = Ran(output).expect_code(1).expect(&format!("cargo xtask --root {root} bless"));
+    ran.expect(&format!("see {root}target/goldray/"));
+    tree.run(&["bless", ""]).expect_code(2).expect("an empty filter");
+    assert!(!tree.path("golden").exists());
+}
+
+#[test]
 fn the_contact_sheet_shows_every_golden() {
     let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
     tree.run(&["contact-sheet", "--out", "sheet.png"]).expect_code(0).expect("2 goldens");
     assert!(Path::new(&tree.path("sheet.png")).is_file());
+    tree.run(&["contact-sheet", "a"]).expect_code(2);
     fs::remove_file(tree.path("golden/b.png")).unwrap();
     tree.run(&["contact-sheet", "--out", "sheet.png"]).expect_code(2).expect("expected a golden");
 }

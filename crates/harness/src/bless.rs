@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::golden;
+use crate::judge::{Found, broken_expectations};
 use crate::metric::Comparison;
 use crate::run::{Judged, judge_fixture};
 use crate::store;
@@ -14,13 +15,14 @@ use crate::verdict::Verdict;
 pub enum Blessed {
     /// It was a match; nothing was written.
     Untouched,
-    /// A golden was written where there was none that could be read.
+    /// A golden was written where there was none.
     Added,
     /// A golden was replaced.
     Replaced {
         /// What was said of the old one.
         verdict: Verdict,
-        /// From the old golden to the new one; `None` if their sizes differ.
+        /// From the old golden to the new one; `None` if they cannot be
+        /// compared.
         distance: Option<Box<Comparison>>,
     },
     /// A golden without a fixture was removed.
@@ -68,9 +70,8 @@ fn bless_fixture(suite: &Suite, name: &str) -> Blessed {
         Ok(rendered) => rendered,
         Err(why) => return Blessed::Refused(vec![why]),
     };
-    let broken = crate::judge::broken_expectations(&fixture, &picture);
-    if !broken.is_empty() {
-        return Blessed::Refused(broken);
+    if judgment.breaks_expectations {
+        return Blessed::Refused(broken_expectations(&fixture, &picture));
     }
     if judgment.verdict == Verdict::Match {
         return Blessed::Untouched;
@@ -80,7 +81,7 @@ fn bless_fixture(suite: &Suite, name: &str) -> Blessed {
     });
     match written {
         Err(why) => Blessed::Refused(vec![why]),
-        Ok(()) if found.picture().is_none() => Blessed::Added,
+        Ok(()) if found == Found::Nothing => Blessed::Added,
         Ok(()) => Blessed::Replaced {
             verdict: judgment.verdict,
             distance: judgment.comparison.map(Box::new),

@@ -22,7 +22,7 @@ pub struct Check {
 impl scene::Check for Check {
     fn examine(&self, image: (u32, u32), report: &mut dyn FnMut(Vec<Step>, String)) {
         if let Some(limits) = &self.limits {
-            for (field, message) in limits.problems() {
+            for (field, message) in limits.problems(u64::from(image.0) * u64::from(image.1)) {
                 report(vec!["limits".into(), field.into()], message);
             }
         }

@@ -153,6 +153,15 @@ mod tests {
             assert_ne!(changed.scene, original.scene, "{to}");
             assert_eq!(changed.assets, original.assets, "{to}");
         }
+        let two = SCENE.replace("[Mesh", "[Mesh(file: \"b.obj\"), Mesh");
+        let of_two = |a: &str, b: &str| {
+            let file = |name: &str, text: &str| (name.to_owned(), text.as_bytes().to_vec());
+            let files = BTreeMap::from([file("a.obj", a), file("b.obj", b)]);
+            Fixture::read("a", &two, &files, Build::Bvh).unwrap().provenance.assets
+        };
+        let changed = MESH.replace("v 1 0 0", "v 3 0 0");
+        let all = [of_two(MESH, MESH), of_two(&changed, MESH), of_two(MESH, &changed)];
+        assert!(all[0] != all[1] && all[1] != all[2] && all[0] != all[2], "{all:?}");
         let other_mesh = note(SCENE, &MESH.replace("v 1 0 0", "v 2 0 0"));
         assert_eq!(other_mesh.scene, original.scene);
         assert_ne!(other_mesh.assets, original.assets);

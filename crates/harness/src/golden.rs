@@ -3,15 +3,15 @@
 
 use png::{BitDepth, ColorType, Compression, Decoder, Encoder, Limits, Transformations};
 use serde::{Deserialize, Serialize};
-use tracer::Size;
+use tracer::{Scene, Size};
 
 use crate::encode::EncodedImage;
 
 /// The keyword of the PNG text chunk that holds the provenance.
 const KEYWORD: &str = "goldray";
 
-/// The most memory that decoding may take, in bytes.
-const DECODER_BYTES: usize = 1 << 30;
+/// The most memory that decoding may take beside the picture, in bytes.
+const DECODER_BYTES: usize = 1 << 26;
 
 /// Which scene a golden was accepted for: content hashes that survive renames
 /// and squashed histories, and that no comment or space in the fixture changes.
@@ -67,15 +67,18 @@ pub fn from_png(bytes: &[u8]) -> Result<Golden, String> {
     if bytes.starts_with(b"version https://git-lfs") {
         return Err("is a Git LFS pointer, not the picture: run `git lfs pull`".to_owned());
     }
+    check_chunks(bytes)?;
     let damaged = |error: png::DecodingError| format!("is not a readable PNG: {error}");
     let mut decoder =
         Decoder::new_with_limits(std::io::Cursor::new(bytes), Limits { bytes: DECODER_BYTES });
     decoder.set_transformations(Transformations::EXPAND);
+    decoder.set_ignore_iccp_chunk(true);
     let mut reader = decoder.read_info().map_err(damaged)?;
-    let length = reader.output_buffer_size().ok_or("is too large to read")?;
-    if length > DECODER_BYTES {
-        return Err("is too large to read".to_owned());
+    let Size { width, height } = Size { width: reader.info().width, height: reader.info().height };
+    if u64::from(width) * u64::from(height) > Scene::MAX_PIXELS {
+        return Err(format!("is {width} x {height}, more pixels than any picture here may have"));
     }
+    let length = reader.output_buffer_size().ok_or("is too large to read")?;
     let mut pixels = vec![0; length];
     let frame = reader.next_frame(&mut pixels).map_err(damaged)?;
     // The rest of the file, its end mark included, must be there as well.
@@ -108,6 +111,30 @@ pub fn from_png(bytes: &[u8]) -> Result<Golden, String> {
     Ok(Golden { picture, provenance })
 }
 
+/// Whether the file is one PNG picture and nothing else: whole chunks up to the
+/// end mark, no animation, one note at most.
+fn check_chunks(bytes: &[u8]) -> Result<(), String> {
+    const SIGNATURE: usize = 8;
+    /// Length, type and checksum of a chunk.
+    const FRAME: usize = 12;
+    let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
+    let mut notes = 0;
+    while let Some((length, after)) = rest.split_first_chunk::<4>() {
+        let length = u32::from_be_bytes(*length) as usize;
+        let kind = after.get(..4).unwrap_or_default();
+        match kind {
+            b"acTL" => return Err("is animated: expected one picture".to_owned()),
+            b"tEXt" if after[4..].starts_with(KEYWORD.as_bytes()) => notes += 1,
+            b"IEND" if rest.len() > length.saturating_add(FRAME) => {
+                return Err("has something behind its end".to_owned());
+            }
+            _ => {}
+        }
+        rest = rest.get(length.saturating_add(FRAME)..).unwrap_or_default();
+    }
+    if notes > 1 { Err(format!("has {notes} notes of its scene: expected one")) } else { Ok(()) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,6 +165,31 @@ mod tests {
     }
 
     #[test]
+    fn a_file_that_is_more_than_one_picture_is_refused() {
+        let error = |bytes: &[u8]| from_png(bytes).unwrap_err();
+        let mut bytes = to_png(&picture(), Some(&note())).unwrap();
+        let text_at = bytes.windows(4).position(|w| w == b"tEXt").unwrap() - 4;
+        let length = u32::from_be_bytes(bytes[text_at..text_at + 4].try_into().unwrap()) as usize;
+        let text = bytes[text_at..text_at + length + 12].to_vec();
+        let twice = [&bytes[..text_at], &text, &bytes[text_at..]].concat();
+        assert!(error(&twice).contains("2 notes"));
+        bytes.push(0);
+        assert!(error(&bytes).contains("behind its end"));
+    }
+
+    #[test]
+    fn a_picture_too_large_to_be_one_is_refused_before_it_is_read() {
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, 18_000, 18_000);
+        encoder.set_color(ColorType::Grayscale);
+        encoder.set_depth(BitDepth::One);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&vec![0; 18_000 / 8 * 18_000]).unwrap();
+        writer.finish().unwrap();
+        assert!(from_png(&bytes).unwrap_err().contains("more pixels than any picture"));
+    }
+
+    #[test]
     fn what_would_lose_something_is_refused() {
         let encoded = |color, depth, data: &[u8]| {
             let mut bytes = Vec::new();
@@ -156,6 +208,8 @@ mod tests {
         assert!(encoded(ColorType::Rgba, eight, &[1, 2, 3, 254]).unwrap_err().contains("transp"));
         let deep = encoded(ColorType::Rgb, BitDepth::Sixteen, &[0; 6]);
         assert!(deep.unwrap_err().contains("16 bits"));
+        let faint = encoded(ColorType::GrayscaleAlpha, eight, &[7, 254]);
+        assert!(faint.unwrap_err().contains("transparent"));
         assert!(from_png(b"").is_err() && from_png(b"P6 1 1 255 abc").is_err());
         let pointer = from_png(b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
         assert!(pointer.unwrap_err().contains("git lfs pull"));

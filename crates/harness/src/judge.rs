@@ -38,6 +38,8 @@ pub struct Judgment {
     pub verdict: Verdict,
     /// Why, in sentences.
     pub findings: Vec<String>,
+    /// Whether the picture breaks what its fixture expects.
+    pub breaks_expectations: bool,
     /// The metrics, where they could be had.
     pub comparison: Option<Comparison>,
 }
@@ -56,8 +58,9 @@ pub fn judge(fixture: &Fixture, picture: &Rendered, found: &Found) -> Judgment {
         }
         verdict => verdict,
     };
+    let breaks_expectations = !broken.is_empty();
     findings.extend(broken);
-    Judgment { verdict, findings, comparison }
+    Judgment { verdict, findings, breaks_expectations, comparison }
 }
 
 /// The expectations that the picture breaks, in words.
@@ -104,6 +107,9 @@ fn against_golden(
     let (expected, actual) = (golden.picture.size(), picture.encoded.size());
     if let Some(comparison) = &comparison {
         let broken = Limits::broken_by(fixture.check.limits.as_ref(), comparison);
+        if comparison.is_identical() && !verdicts.is_empty() {
+            findings.push("the picture is the same".to_owned());
+        }
         if !broken.is_empty() {
             findings.extend(broken);
             verdicts.push(Verdict::Differs);

@@ -31,20 +31,37 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// What is wrong with these limits, by field; nothing for good ones.
-    pub(crate) fn problems(&self) -> Vec<(&'static str, String)> {
+    /// What is wrong with these limits for a picture of so many pixels, by
+    /// field; nothing for good ones.
+    pub(crate) fn problems(&self, pixels: u64) -> Vec<(&'static str, String)> {
         let mut problems = Vec::new();
         let ssims = [("ssim", self.ssim), ("ssim_worst", self.ssim_worst)];
         for (field, ssim) in ssims {
-            if let Some(ssim) = ssim.filter(|s| !(-1.0 <= *s && *s < 1.0)) {
+            if let Some(ssim) = ssim.filter(|s| !(0.0 < *s && *s < 1.0)) {
                 problems.push((
                     field,
                     format!(
-                        "`{field}`: expected a number from -1 to below 1 (leave the limit out for \
+                        "`{field}`: expected a number above 0 and below 1 (leave the limit out for \
                          identical pictures), found {ssim}"
                     ),
                 ));
             }
+        }
+        // Limits that no picture can break are none.
+        if let Some(max_abs @ (0 | u8::MAX)) = self.max_abs {
+            problems.push((
+                "max_abs",
+                format!("`max_abs`: expected a number from 1 to 254, found {max_abs}"),
+            ));
+        }
+        if let Some(differing) = self.differing_pixels.filter(|d| !(1..pixels.max(2)).contains(d)) {
+            problems.push((
+                "differing_pixels",
+                format!(
+                    "`differing_pixels`: expected a number from 1 to below the picture's {pixels} \
+                     pixels, found {differing}"
+                ),
+            ));
         }
         if let (Some(mean), Some(worst)) = (self.ssim, self.ssim_worst)
             && worst > mean
@@ -146,16 +163,35 @@ mod tests {
         let blot = comparison(1, 155);
         assert!(blot.ssim_mean > 0.9 && blot.ssim_min < 0.5, "{blot:?}");
         let broken = |limits| Limits::broken_by(Some(&limits), &blot);
-        let mean_only = Limits { ssim: Some(0.9), ssim_worst: Some(-1.0), ..limits() };
+        let mean_only = Limits { ssim: Some(0.9), ssim_worst: Some(1e-9), ..limits() };
         assert_eq!(broken(mean_only), [""; 0]);
         let both = broken(Limits { ssim: Some(0.9), ..limits() });
         assert!(both[0].starts_with("worst window's SSIM"), "{both:?}");
     }
 
     #[test]
+    fn a_nan_keeps_no_limit() {
+        let nan = Comparison { ssim_mean: f64::NAN, ssim_min: f64::NAN, ..comparison(1, 1) };
+        let limits = Limits { ssim: Some(0.5), ..limits() };
+        assert_eq!(Limits::broken_by(Some(&limits), &nan).len(), 2);
+    }
+
+    #[test]
     fn limits_that_say_nothing_are_problems() {
-        let fields = |limits: Limits| limits.problems().iter().map(|p| p.0).collect::<Vec<_>>();
+        let fields = |limits: Limits| limits.problems(1024).iter().map(|p| p.0).collect::<Vec<_>>();
         assert_eq!(fields(Limits { ssim: Some(0.99), ..limits() }), [""; 0]);
+        let equal = Limits { ssim: Some(0.9), ssim_worst: Some(0.9), ..limits() };
+        assert_eq!(fields(equal), [""; 0]);
+        for ssim in [-1.0, 0.0, 1.0, 1.5] {
+            assert_eq!(fields(Limits { ssim: Some(ssim), ..limits() }), ["ssim"], "{ssim}");
+        }
+        for never in [0, 255] {
+            assert_eq!(fields(Limits { max_abs: Some(never), ..limits() }), ["max_abs"]);
+        }
+        for never in [0, 1024, 9999] {
+            let limits = Limits { differing_pixels: Some(never), ..limits() };
+            assert_eq!(fields(limits), ["differing_pixels"]);
+        }
         assert_eq!(fields(limits()), ["reason"]);
         assert_eq!(fields(Limits { max_abs: Some(1), reason: " ".into(), ..limits() }), ["reason"]);
         assert_eq!(fields(Limits { ssim: Some(1.0), ..limits() }), ["ssim"]);

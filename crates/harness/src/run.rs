@@ -32,7 +32,7 @@ pub fn run(
     selection: &Selection,
     on_outcome: &(dyn Fn(&Outcome) + Sync),
 ) -> Result<Vec<Outcome>, StoreError> {
-    store::remove_folder(&suite.artifacts())?;
+    store::empty_artifacts(&suite.artifacts())?;
     let judge_one = |name: &String| {
         let outcome = run_fixture(suite, name)?;
         on_outcome(&outcome);
@@ -76,6 +76,7 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
         Err(why) => Judgment {
             verdict: Verdict::RenderRefused,
             findings: vec![why.clone()],
+            breaks_expectations: false,
             comparison: None,
         },
     };
@@ -113,6 +114,7 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
         name: name.to_owned(),
         verdict: judgment.verdict,
         findings: judgment.findings,
+        breaks_expectations: judgment.breaks_expectations,
         comparison: judgment.comparison,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,
@@ -135,6 +137,7 @@ fn orphan(name: &str) -> Outcome {
         name: name.to_owned(),
         verdict: Verdict::OrphanGolden,
         findings: vec![format!("there is no {}", Suite::fixture_label(name))],
+        breaks_expectations: false,
         comparison: None,
         size: None,
         render_ms: 0.0,

@@ -9,6 +9,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 use scene::{Assets, MAX_ASSET_BYTES};
+use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
 /// Something that could not be read or written.
@@ -36,11 +37,14 @@ impl StoreError {
 /// # Errors
 /// A file that cannot be read, and one of more than `max_bytes`.
 pub fn read(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>, StoreError> {
-    let file = match fs::File::open(path) {
-        Ok(file) => file,
+    // Looked at before opening: opening a pipe would wait for its other end.
+    match fs::metadata(path) {
+        Ok(found) if found.is_file() => {}
+        Ok(_) => return Err(StoreError::new(path, "is no file")),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(StoreError::io(path, &error)),
-    };
+    }
+    let file = fs::File::open(path).map_err(|error| StoreError::io(path, &error))?;
     let mut bytes = Vec::new();
     // One more than allowed, so that a larger file is seen to be larger,
     // whatever its size was said to be.
@@ -58,18 +62,32 @@ pub fn read(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>, StoreError> 
 /// # Errors
 /// Whatever kept it from being written; the old file is then as it was.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
-    let failed = |error: std::io::Error| StoreError::io(path, &error);
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).map_err(failed)?;
-    let mut temporary = tempfile::Builder::new();
-    temporary.prefix(".goldray-").suffix(".tmp");
-    // Temporary files are private by default; a golden is for everyone.
-    #[cfg(unix)]
-    temporary.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
-    let mut file = temporary.tempfile_in(folder).map_err(failed)?;
-    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    write_then(path, bytes, |file| file.persist(path).map(drop).map_err(|error| error.error))
+}
+
+/// Writes to a temporary file beside `path`, then gives it its place.
+fn write_then(
+    path: &Path,
+    bytes: &[u8],
+    persist: impl FnOnce(NamedTempFile) -> std::io::Result<()>,
+) -> Result<(), StoreError> {
+    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return Err(StoreError::new(path, "is there already, and is no file"));
+    }
+    let write = || {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        fs::create_dir_all(folder)?;
+        let mut temporary = tempfile::Builder::new();
+        temporary.prefix(".goldray-").suffix(".tmp");
+        // Temporary files are private by default; a golden is for everyone.
+        #[cfg(unix)]
+        temporary.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
+        let mut file = temporary.tempfile_in(folder)?;
+        file.write_all(bytes)?;
+        file.as_file().sync_all()?;
+        persist(file)
+    };
+    write().map_err(|error| StoreError::io(path, &error))
 }
 
 /// Writes a file that must not be there yet.
@@ -77,10 +95,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
 /// # Errors
 /// A file that is there, and whatever else kept it from being written.
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
-    if path.exists() {
-        return Err(StoreError::new(path, "is there already"));
-    }
-    write(path, bytes)
+    write_then(path, bytes, |file| file.persist_noclobber(path).map(drop).map_err(|e| e.error))
+        .map_err(
+            |error| {
+                if path.exists() { StoreError::new(path, "is there already") } else { error }
+            },
+        )
 }
 
 /// Removes a file.
@@ -91,17 +111,43 @@ pub fn remove(path: &Path) -> Result<(), StoreError> {
     fs::remove_file(path).map_err(|error| StoreError::io(path, &error))
 }
 
-/// Empties a folder of artifacts by removing it, if it is there.
+/// The mark of a folder that may be emptied, by the convention of
+/// <https://bford.info/cachedir/>.
+const ARTIFACTS_MARK: (&str, &[u8]) = (
+    "CACHEDIR.TAG",
+    b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by goldray; emptied at each check.\n",
+);
+
+/// An empty folder for artifacts, marked as such.
 ///
 /// # Errors
-/// A folder that cannot be removed.
-pub fn remove_folder(path: &Path) -> Result<(), StoreError> {
-    match fs::remove_dir_all(path) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-            Err(StoreError::io(path, &error))
+/// A folder with something in it that this function did not make, and whatever
+/// keeps it from being emptied.
+pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
+    let mark = path.join(ARTIFACTS_MARK.0);
+    match fs::read_dir(path).map(|mut entries| entries.next().is_none()) {
+        Ok(is_empty) if !is_empty && !mark.exists() => {
+            let what = "is in the way of the artifacts and was not made by goldray: move it";
+            return Err(StoreError::new(path, what));
         }
-        _ => Ok(()),
+        Ok(_) => fs::remove_dir_all(path).map_err(|error| StoreError::io(path, &error))?,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
+        Err(error) => return Err(StoreError::io(path, &error)),
     }
+    write(&mark, ARTIFACTS_MARK.1)
+}
+
+/// Whether `path` lies in `folder`, by what they really are.
+pub fn is_inside(path: &Path, folder: &Path) -> bool {
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    let parent = parent.unwrap_or(Path::new("."));
+    let really = parent.ancestors().find_map(|folder| folder.canonicalize().ok());
+    really.zip(folder.canonicalize().ok()).is_some_and(|(path, folder)| path.starts_with(folder))
+}
+
+/// Whether this is a file.
+pub fn is_file(path: &Path) -> bool {
+    path.is_file()
 }
 
 /// Whether this is a folder.
@@ -111,33 +157,56 @@ pub fn is_folder(path: &Path) -> bool {
 
 /// The names of all files below `folder` that end in `.ending`, relative, with
 /// `/` between parts and without the ending, sorted. A folder that is not
-/// there has none. Links are not followed and names that begin with a dot are
-/// passed over.
+/// there has none. Links to files count. Folders whose names begin with a dot
+/// are passed over.
 ///
 /// # Errors
-/// A folder that cannot be walked, and a name that is not UTF-8.
+/// A folder that cannot be walked; and what would otherwise be passed over in
+/// silence: a link to a folder, the ending in other letters, a hidden file or
+/// no file with it, and a name that is not UTF-8 or holds control characters.
 pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
     if !folder.exists() {
         return Ok(Vec::new());
     }
     let is_hidden = |name: &std::ffi::OsStr| name.as_encoded_bytes().starts_with(b".");
-    let walk = WalkDir::new(folder)
-        .into_iter()
-        .filter_entry(|entry| entry.depth() == 0 || !is_hidden(entry.file_name()));
+    let walk = WalkDir::new(folder).into_iter().filter_entry(|entry| {
+        entry.depth() == 0 || entry.file_type().is_file() || !is_hidden(entry.file_name())
+    });
+    let dot_ending = format!(".{ending}");
     let mut names = Vec::new();
     for entry in walk {
         let entry = entry
             .map_err(|error| StoreError::new(error.path().unwrap_or(folder), error.to_string()))?;
         let path = entry.path();
-        if !entry.file_type().is_file() || path.extension().is_none_or(|e| e != ending) {
+        let name = entry.file_name().as_encoded_bytes();
+        let found = &name[name.len().saturating_sub(dot_ending.len())..];
+        // What looks like one and is none would be passed over in silence.
+        let why = if entry.path_is_symlink() && path.is_dir() {
+            "is a link to a folder, which is not entered".to_owned()
+        } else if !found.eq_ignore_ascii_case(dot_ending.as_bytes()) {
             continue;
+        } else if found != dot_ending.as_bytes() {
+            format!("expected the ending {dot_ending}")
+        } else if is_hidden(entry.file_name()) {
+            "has a hidden name".to_owned()
+        } else if !path.is_file() {
+            "is no file".to_owned()
+        } else {
+            String::new()
+        };
+        if !why.is_empty() {
+            return Err(StoreError::new(path, why));
         }
         let relative = path.strip_prefix(folder).unwrap_or(path).with_extension("");
         let parts = relative.components().map(|part| part.as_os_str().to_str());
         let parts = parts
             .collect::<Option<Vec<_>>>()
             .ok_or_else(|| StoreError::new(path, "has a name that is not UTF-8"))?;
-        names.push(parts.join("/"));
+        let name = parts.join("/");
+        if name.chars().any(char::is_control) {
+            return Err(StoreError::new(path, "has a control character in its name"));
+        }
+        names.push(name);
     }
     names.sort();
     Ok(names)
@@ -171,5 +240,73 @@ impl Assets for FolderAssets {
             Ok(bytes) => bytes.ok_or_else(missing),
             Err(error) => Err(format!("cannot be read: {}", error.what)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_over_the_bound_is_refused_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        write(&path, b"12345").unwrap();
+        assert_eq!(read(&path, 5).unwrap().as_deref(), Some(&b"12345"[..]));
+        assert!(read(&path, 4).unwrap_err().to_string().contains("larger than 4 bytes"));
+        assert!(read(&folder.path().join("b"), 5).unwrap().is_none());
+        assert!(read(folder.path(), 5).unwrap_err().to_string().contains("is no file"));
+    }
+
+    #[test]
+    fn only_files_are_replaced_and_only_when_meant() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("deep/a");
+        write_new(&path, b"1").unwrap();
+        assert!(write_new(&path, b"2").is_err());
+        assert!(write(path.parent().unwrap(), b"3").is_err(), "a folder");
+        assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"1"[..]));
+        write(&path, b"4").unwrap();
+        assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"4"[..]));
+    }
+
+    #[test]
+    fn a_folder_that_is_not_ours_is_never_emptied() {
+        let folder = tempfile::tempdir().unwrap();
+        let artifacts = folder.path().join("target/goldray");
+        empty_artifacts(&artifacts).unwrap();
+        write(&artifacts.join("a.png"), b"1").unwrap();
+        empty_artifacts(&artifacts).unwrap();
+        assert!(!is_file(&artifacts.join("a.png")));
+        let theirs = folder.path().join("theirs");
+        write(&theirs.join("a.png"), b"1").unwrap();
+        assert!(empty_artifacts(&theirs).is_err());
+        assert!(is_file(&theirs.join("a.png")));
+    }
+
+    #[test]
+    fn nothing_that_looks_like_a_fixture_is_passed_over() {
+        for odd in ["b.RON", ".b.ron", ".ron", "x.ron/y.txt", "a\nb.ron"] {
+            let folder = tempfile::tempdir().unwrap();
+            write(&folder.path().join("a.ron"), b"").unwrap();
+            assert_eq!(names(folder.path(), "ron").unwrap(), ["a"]);
+            write(&folder.path().join(odd), b"").unwrap();
+            assert!(names(folder.path(), "ron").is_err(), "{odd:?}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_to_files_count_and_links_to_folders_are_errors() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        write(&folder.path().join("in/a.ron"), b"").unwrap();
+        symlink("a.ron", folder.path().join("in/b.ron")).unwrap();
+        assert_eq!(names(&folder.path().join("in"), "ron").unwrap(), ["a", "b"]);
+        symlink("nowhere", folder.path().join("in/c.ron")).unwrap();
+        assert!(names(&folder.path().join("in"), "ron").is_err(), "a link to nothing");
+        remove(&folder.path().join("in/c.ron")).unwrap();
+        symlink(folder.path(), folder.path().join("in/d")).unwrap();
+        assert!(names(&folder.path().join("in"), "ron").is_err(), "a link to a folder");
     }
 }

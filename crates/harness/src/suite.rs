@@ -40,6 +40,9 @@ pub enum SuiteError {
         /// The name most like it.
         nearest: Option<String>,
     },
+    /// A filter that would select everything by accident.
+    #[error("an empty filter selects nothing: leave it out to select everything")]
+    EmptyFilter,
     /// A folder that cannot be read.
     #[error(transparent)]
     Store(#[from] StoreError),
@@ -83,6 +86,9 @@ impl Suite {
         self.root.join("golden").join(format!("{name}.png"))
     }
 
+    /// The sheet of all goldens, relative to the suite.
+    pub const CONTACT_SHEET: &str = "docs/contact-sheet.png";
+
     /// The folder for what a run leaves behind, relative to the suite.
     pub const ARTIFACTS: &str = "target/goldray";
 
@@ -93,7 +99,8 @@ impl Suite {
 
     /// What the filters select, or everything if there are none.
     ///
-    /// A filter selects the fixture of exactly its name if there is one; with
+    /// A filter selects the fixture of exactly its name (or path) if there is
+    /// one; with
     /// `*` or `?` in it, the names it matches as a whole; else all names that
     /// contain it. Goldens without a fixture are selected in the same way.
     ///
@@ -109,14 +116,18 @@ impl Suite {
         let known: BTreeSet<_> = fixtures.iter().chain(&goldens).cloned().collect();
         let mut selected = BTreeSet::new();
         for filter in filters {
+            if filter.is_empty() {
+                return Err(SuiteError::EmptyFilter);
+            }
+            let filter = name_of(filter);
             let matching: Vec<_> = if known.contains(filter) {
-                vec![filter.clone()]
+                vec![filter.to_owned()]
             } else {
                 known.iter().filter(|name| selects(filter, name)).cloned().collect()
             };
             if matching.is_empty() {
                 return Err(SuiteError::SelectsNothing {
-                    filter: filter.clone(),
+                    filter: filter.to_owned(),
                     nearest: scene::nearest(filter, known.iter().map(String::as_str))
                         .map(str::to_owned),
                 });
@@ -134,6 +145,13 @@ impl Suite {
             fixtures: fixtures.iter().filter(|name| is_selected(name)).cloned().collect(),
         })
     }
+}
+
+/// The name in what may be a fixture's path, as completed by a shell.
+pub fn name_of(path: &str) -> &str {
+    let path = path.strip_prefix("./").unwrap_or(path);
+    let path = path.strip_prefix("fixtures/").unwrap_or(path);
+    path.strip_suffix(".ron").unwrap_or(path)
 }
 
 fn selects(filter: &str, name: &str) -> bool {
@@ -186,6 +204,7 @@ mod tests {
         check(&["*/f*t"], &["box/flat"], &[]);
         check(&["sphere/???"], &["sphere/far"], &[]);
         check(&["flat", "gone"], &["box/flat"], &["sphere/gone"]);
+        check(&["fixtures/sphere/far.ron"], &["sphere/far"], &[]);
     }
 
     #[test]
@@ -194,6 +213,7 @@ mod tests {
         let error = |filter: &str| suite.select(&[filter.to_owned()]).unwrap_err().to_string();
         let hint = "the filter \"sphere/fra\" selects nothing; did you mean \"sphere/far\"?";
         assert_eq!(error("sphere/fra"), hint);
+        assert!(error("").contains("an empty filter"));
         assert!(error("zzzzzzzzzz").ends_with("`cargo xtask list` shows all names"));
     }
 

@@ -15,6 +15,7 @@ pub fn new_fixture(suite: &Suite, name: &str) -> Result<String, StoreError> {
     let path = suite.fixture_path(name);
     let is_plain = |part: &str| {
         !part.is_empty()
+            && !part.starts_with('-')
             && part.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'))
     };
     if !name.split('/').all(is_plain) {
@@ -49,7 +50,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         store::write(&folder.path().join("fixtures/a.ron"), b"mine").unwrap();
         let suite = Suite::open(folder.path()).unwrap();
-        for name in ["", "/", "../x", "a/../b", "/etc/x", "a b", "a.ron", "a"] {
+        for name in ["", "/", "-x", "../x", "a/../b", "/etc/x", "a b", "a.ron", "a"] {
             assert!(new_fixture(&suite, name).is_err(), "{name}");
         }
         let kept = store::read(&suite.fixture_path("a"), 99).unwrap();

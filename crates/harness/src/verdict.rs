@@ -82,6 +82,9 @@ pub struct Outcome {
     pub verdict: Verdict,
     /// Why, in sentences; empty for a plain match.
     pub findings: Vec<String>,
+    /// Whether the picture breaks what its fixture expects, so that it cannot
+    /// be accepted, whatever the verdict.
+    pub breaks_expectations: bool,
     /// The metrics, where picture and golden could be compared.
     pub comparison: Option<Comparison>,
     /// Width and height of the picture.
@@ -95,16 +98,39 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The command that helps with it; `None` for a match.
-    pub fn command(&self) -> Option<String> {
-        let Self { name, verdict, .. } = self;
-        match verdict {
-            Verdict::Match => None,
-            Verdict::OrphanGolden => Some(format!("cargo xtask bless --prune {name}")),
-            Verdict::RenderRefused | Verdict::ExpectationFailed => {
-                Some(format!("cargo xtask check {name}"))
+    /// The verb of `cargo xtask` that settles it, if it was meant, with its
+    /// arguments; `None` for a match and where no verb does.
+    pub fn remedy(&self) -> Option<String> {
+        let name = shell_word(&self.name);
+        match self.verdict {
+            Verdict::OrphanGolden => Some(format!("bless --prune {name}")),
+            verdict if verdict.can_be_blessed() && !self.breaks_expectations => {
+                Some(format!("bless {name}"))
             }
-            _ => Some(format!("cargo xtask bless {name}")),
+            _ => None,
         }
+    }
+}
+
+/// A name as a shell takes it for one word, and no flag.
+pub fn shell_word(name: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '/' | '_' | '-' | '.');
+    match name {
+        name if name.starts_with('-') => format!("-- '{}'", name.replace('\'', r"'\''")),
+        name if name.chars().all(is_plain) => name.to_owned(),
+        name => format!("'{}'", name.replace('\'', r"'\''")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_words() {
+        assert_eq!(shell_word("sphere/far-away"), "sphere/far-away");
+        assert_eq!(shell_word("it's $x"), r"'it'\''s $x'");
+        assert_eq!(shell_word("star*"), "'star*'");
+        assert_eq!(shell_word("-dash"), "-- '-dash'");
     }
 }

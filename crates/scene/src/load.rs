@@ -97,8 +97,20 @@ fn judge<C: Check>(
     (scene, findings)
 }
 
+/// The most problems that are listed: nobody mends more at a time, and a file
+/// may be all mistakes.
+const MOST_PROBLEMS: usize = 1_000;
+
+/// By place, and not too many.
 fn arranged(mut problems: Vec<Problem>) -> Vec<Problem> {
     problems.sort_by_key(|p| p.span);
+    let more = problems.len().saturating_sub(MOST_PROBLEMS);
+    if more > 0 {
+        problems.truncate(MOST_PROBLEMS);
+        if let Some(last) = problems.last_mut() {
+            last.help = Some(format!("{more} further problems are not listed"));
+        }
+    }
     problems
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::{Problem, line_column};
+use crate::Problem;
 
 /// The problems of the file `name`, one after the other, each as
 /// `name:line:column: message`, the line it is in with the place marked, and
@@ -21,13 +21,19 @@ use crate::{Problem, line_column};
 /// ```
 pub fn report(name: &str, text: &str, problems: &[Problem]) -> String {
     let mut out = String::new();
+    // Found once: a large file may have many problems.
+    let line_ends = text.match_indices('\n').map(|(byte, _)| byte + 1);
+    let line_starts: Vec<usize> = std::iter::once(0).chain(line_ends).collect();
     for Problem { span, message, help } in problems {
-        let (line_number, column) = line_column(text, span.start);
-        let line = text.lines().nth(line_number - 1).unwrap_or("");
+        let line_number = line_starts.partition_point(|&start| start <= span.start);
+        let line_start = line_starts[line_number - 1];
+        let column =
+            text.get(line_start..span.start).map_or(0, |before| before.chars().count()) + 1;
+        let line = text[line_start..].lines().next().unwrap_or("");
         let marked = text
             .get(span.start..span.end)
             .and_then(|marked| marked.lines().next())
-            .map_or(1, |marked| marked.chars().count().max(1));
+            .map_or(1, |marked| marked.chars().take(EXCERPT).count().max(1));
         let (line, column_shown) = excerpt(line, column);
         let marks = "^".repeat(marked.min(EXCERPT + 1 - column_shown.min(EXCERPT)));
         let gutter = line_number.to_string();

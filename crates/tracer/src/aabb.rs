@@ -2,12 +2,13 @@
 
 use glam::DVec3;
 
-use crate::math::{UNIT_ROUNDOFF, max_abs};
+use crate::math::max_abs;
 
 /// All points `x` with `min <= x <= max` in each axis.
 ///
-/// It bounds shapes for an accelerator and is not itself a shape: see
-/// [`crate::shape::AxisBox`] for the box that renders.
+/// It bounds shapes for an accelerator, which allows for the rounding of their
+/// formulas, and is not itself a shape: see [`crate::shape::AxisBox`] for the
+/// box that renders.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aabb {
     /// The lowest corner.
@@ -39,6 +40,11 @@ impl Aabb {
     /// Whether every coordinate is finite; not so for [`Aabb::EMPTY`].
     pub fn is_finite(&self) -> bool {
         self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// The largest absolute coordinate; meaningful for finite boxes only.
+    pub fn max_abs(&self) -> f64 {
+        max_abs(self.min).max(max_abs(self.max))
     }
 
     /// The middle; meaningful for finite boxes only.
@@ -74,13 +80,5 @@ impl Aabb {
     pub fn contains(&self, p: DVec3, slack: f64) -> bool {
         let wide = self.widened(slack);
         p.cmpge(wide.min).all() && p.cmple(wide.max).all()
-    }
-
-    /// Bounds of a shape whose formula may round its points outside by a few
-    /// units in the last place: widened by 8 of them.
-    #[must_use]
-    pub(crate) fn for_rounded_points(self) -> Self {
-        let largest = max_abs(self.min).max(max_abs(self.max));
-        if largest.is_finite() { self.widened(16.0 * UNIT_ROUNDOFF * largest) } else { self }
     }
 }

@@ -91,7 +91,7 @@ impl Camera {
         );
         Refused::unless([towards_viewer])?;
         let axes = UnitVec::new(view.view_dir).zip(UnitVec::new(w)).and_then(|(forward, w)| {
-            let u = UnitVec::new(view.view_up.cross(*w))?;
+            let u = to_the_right(view.view_up, w)?;
             Some((forward, u, UnitVec::new(w.cross(*u))?))
         });
         let (forward, u, v) = axes.ok_or_else(|| Refusal {
@@ -117,7 +117,7 @@ impl Camera {
     ///
     /// # Errors
     /// As [`Camera::new`], in these arguments' names; `fov_deg` must lie
-    /// between 0 and 180.
+    /// between 1e-9 and 179.999.
     pub fn look_at(
         eye: DVec3,
         at: DVec3,
@@ -130,21 +130,20 @@ impl Camera {
             point("at", at),
             direction("up", up),
             refuse_unless(
-                0.0 < fov_deg && fov_deg < 180.0,
+                FOV_DEG.contains(&fov_deg),
                 "fov_deg",
-                "an angle between 0 and 180 degrees",
+                format!("an angle from {:e} to {} degrees", FOV_DEG.start(), FOV_DEG.end()),
                 || fov_deg.to_string(),
             ),
+            length("aspect", aspect),
         ])?;
-        let towards_eye = eye - at;
+        let Some(w) = direction("at", eye - at).map_or_else(|| UnitVec::new(eye - at), |_| None)
+        else {
+            let expected = "a point other than `eye`".to_owned();
+            return Err(Refusal { field: "at", expected, found: show(at) }.into());
+        };
         Refused::unless([refuse_unless(
-            UnitVec::new(towards_eye).is_some(),
-            "at",
-            "a point other than `eye`",
-            || show(at),
-        )])?;
-        Refused::unless([refuse_unless(
-            UnitVec::new(up.cross(towards_eye)).is_some(),
+            to_the_right(up, w).is_some(),
             "up",
             "a direction that is not parallel to the line from `eye` to `at`",
             || show(up),
@@ -187,6 +186,20 @@ impl Camera {
             Projection::Parallel => Ray::new(self.e + in_window, *self.forward),
         }
     }
+}
+
+/// The angles of a perspective camera, in degrees: beyond them its window has
+/// no size to compute with.
+const FOV_DEG: std::ops::RangeInclusive<f64> = 1e-9..=179.999;
+
+/// The window's axis to the right, `up x w`; `None` where `up` is parallel to
+/// `w` but for rounding, which would turn the picture at random.
+fn to_the_right(up: DVec3, w: UnitVec) -> Option<UnitVec> {
+    /// The sine of the smallest angle between them: far above rounding.
+    const NOT_PARALLEL: f64 = 1e-12;
+    let up = *UnitVec::new(up)?;
+    let across = up.cross(*w);
+    UnitVec::new(across).filter(|_| across.length() > NOT_PARALLEL)
 }
 
 /// Where the center of pixel `i` of `n` lies on a window of this extent,

@@ -50,6 +50,13 @@ impl Member {
         }
     }
 
+    fn rounding(&self) -> f64 {
+        match self {
+            Self::Object(_) => 1.0,
+            Self::Group(group) => group.rounding,
+        }
+    }
+
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
         match self {
             Self::Object(object) => object.intersect(ray, range),
@@ -75,6 +82,8 @@ pub struct Group {
     accelerator: Accelerator,
     /// In the parent's space.
     bounds: Aabb,
+    /// How many times more than a shape's own formulas its hits round.
+    rounding: f64,
 }
 
 impl Group {
@@ -82,9 +91,12 @@ impl Group {
     pub fn new(transform: Transform, members: Vec<Member>, build: Build) -> Self {
         let boxes: Vec<_> = members.iter().map(Member::bounds).collect();
         let inside = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let inner = members.iter().map(Member::rounding).fold(1.0, f64::max);
+        let outer = if transform.is_identity() { 1.0 } else { transform.condition() };
         Self {
             transform: (!transform.is_identity()).then_some(transform),
-            accelerator: Accelerator::build(build, &boxes),
+            accelerator: Accelerator::build(build, &boxes, inner),
+            rounding: outer * inner,
             bounds: transform.bounds(&inside),
             members,
         }

@@ -17,8 +17,8 @@ pub struct Hit {
     /// The point on the surface: put back onto it by the shape, so more
     /// accurate than `origin + t direction`.
     pub point: DVec3,
-    /// No true surface point is farther from `point` than this: a bound of
-    /// its rounding error, in world units.
+    /// The true surface is no farther from `point` than this: a bound of its
+    /// rounding error, in world units.
     pub point_error: f64,
     /// The outward normal of the true surface, not turned towards the viewer.
     pub geometric_normal: UnitVec,

@@ -9,7 +9,7 @@ use crate::{Refused, Rgb, UnitVec};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Falloff {
     /// Not at all: the 2011 assignment.
-    None,
+    Constant,
     /// As `1 / r^2`: the physical law.
     InverseSquare,
 }

@@ -91,7 +91,7 @@ impl Material {
                 // Light straight through the surface towards the eye has no
                 // half vector, and no highlight.
                 let highlight =
-                    UnitVec::new(*l + *v).map_or(0.0, |h| pow(n.dot(*h).max(0.0), exponent));
+                    UnitVec::new(*l + *v).map_or(0.0, |h| pow(n.dot(*h).clamp(0.0, 1.0), exponent));
                 let highlight = match convention {
                     Convention::Classic | Convention::Attenuated => highlight,
                     Convention::Radiometric => highlight * cosine,

@@ -84,7 +84,14 @@ pub(crate) fn refuse_unless(
 
 /// How a vector is written in a message.
 pub(crate) fn show(v: DVec3) -> String {
-    format!("({}, {}, {})", v.x, v.y, v.z)
+    format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))
+}
+
+/// How a number is written in a message: one too long to read, by its power of
+/// ten.
+pub(crate) fn number(x: f64) -> String {
+    let is_short = x == 0.0 || !x.is_finite() || (1e-6..1e15).contains(&x.abs());
+    if is_short { x.to_string() } else { format!("{x:e}") }
 }
 
 /// A point: three finite coordinates.
@@ -103,7 +110,7 @@ pub(crate) fn direction(field: &'static str, d: DVec3) -> Option<Refusal> {
     refuse_unless(
         d.is_finite() && (MIN_LENGTH..=MAX_LENGTH).contains(&length),
         field,
-        "a direction, three finite numbers that are not all zero",
+        format!("a direction, three numbers of at most {MAX_LENGTH:e} that are not all zero"),
         || show(d),
     )
 }
@@ -114,7 +121,7 @@ pub(crate) fn length(field: &'static str, x: f64) -> Option<Refusal> {
         (MIN_LENGTH..=MAX_LENGTH).contains(&x),
         field,
         format!("a finite number above 0 (from {MIN_LENGTH:e} to {MAX_LENGTH:e})"),
-        || x.to_string(),
+        || number(x),
     )
 }
 
@@ -123,8 +130,8 @@ pub(crate) fn not_negative(field: &'static str, x: f64) -> Option<Refusal> {
     refuse_unless(
         (0.0..=MAX_RADIANCE).contains(&x),
         field,
-        "a finite number that is not negative",
-        || x.to_string(),
+        format!("a number from 0 to {MAX_RADIANCE:e}"),
+        || number(x),
     )
 }
 
@@ -133,8 +140,8 @@ pub(crate) fn color(field: &'static str, c: crate::Rgb) -> Option<Refusal> {
     refuse_unless(
         c.channels().into_iter().all(|x| (0.0..=MAX_RADIANCE).contains(&x)),
         field,
-        "three finite numbers, none negative",
-        || format!("({}, {}, {})", c.r, c.g, c.b),
+        format!("three numbers from 0 to {MAX_RADIANCE:e}"),
+        || show(DVec3::from_array(c.channels())),
     )
 }
 

@@ -25,7 +25,7 @@ pub struct SceneParts {
     pub shadows: bool,
     /// What a ray that hits nothing sees.
     pub background: Rgb,
-    /// Multiplies every pixel, background included.
+    /// Multiplies every pixel of a shaded picture, background included.
     pub exposure: f64,
     /// What the picture is of.
     pub show: Show,
@@ -42,14 +42,20 @@ impl Scene {
     /// The largest number of pixels of a picture.
     pub const MAX_PIXELS: u64 = 1 << 26;
 
+    /// The largest number of samples of a picture: its pixels times samples a
+    /// pixel.
+    pub const MAX_SAMPLES: u64 = 1 << 32;
+
     /// The scene of these parts; numbers its objects.
     ///
     /// # Errors
-    /// Refuses (as `image`) a picture without pixels or with absurdly many, (as
+    /// Refuses (as `image`, `samples_per_pixel`) a picture without pixels or with
+    /// absurdly many of them or of samples, (as
     /// `background`, `exposure`) numbers that are negative or not finite, and
     /// (as `show`) a depth range that is not one.
     pub fn new(mut parts: SceneParts) -> Result<Self, Refused> {
         let Size { width, height } = parts.size;
+        let samples = parts.samples.samples_per_pixel();
         let sides = 1..=Self::MAX_SIDE;
         let fits = sides.contains(&width)
             && sides.contains(&height)
@@ -68,6 +74,12 @@ impl Scene {
                     Self::MAX_PIXELS
                 ),
                 || format!("{width} x {height}"),
+            ),
+            refuse_unless(
+                u64::from(width) * u64::from(height) * u64::from(samples) <= Self::MAX_SAMPLES,
+                "samples_per_pixel",
+                format!("at most {} samples in the whole picture", Self::MAX_SAMPLES),
+                || format!("{samples} in each of {width} x {height} pixels"),
             ),
             color("background", parts.background),
             not_negative("exposure", parts.exposure),
@@ -109,7 +121,8 @@ impl Scene {
     /// surface the ray hits inside `range`, else the background. Exposure is
     /// not applied.
     ///
-    /// Source: slide "Image so far", with scene intersection.
+    /// Source: the slide with the loop over pixels, eye ray generation and scene
+    /// intersection.
     pub fn trace(&self, ray: &Ray, range: Interval) -> Rgb {
         let SceneParts { world, lights, convention, shadows, background, show, .. } = &self.0;
         match world.intersect(ray, range) {

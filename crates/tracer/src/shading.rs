@@ -34,7 +34,7 @@ impl Convention {
     /// What a point light does that does not say.
     pub fn default_falloff(self) -> Falloff {
         match self {
-            Self::Classic => Falloff::None,
+            Self::Classic => Falloff::Constant,
             Self::Attenuated | Self::Radiometric => Falloff::InverseSquare,
         }
     }
@@ -124,7 +124,7 @@ impl Lighting<'_> {
                 let r = to_light.length();
                 let l = UnitVec::new(to_light)?;
                 let intensity = match falloff {
-                    Falloff::None => intensity,
+                    Falloff::Constant => intensity,
                     Falloff::InverseSquare => intensity * (1.0 / (r * r)),
                 };
                 let shadow_ray = hit.leaving_to(position);

@@ -17,57 +17,58 @@ use crate::{Aabb, Hit, Ray, Refused, UnitVec};
 pub struct Transform {
     parent_from_object: DAffine3,
     linear_object_from_parent: DMat3,
-    /// An upper bound of how much `L` lengthens a vector.
-    stretch: f64,
 }
 
 impl Transform {
     /// Changes nothing.
-    pub const IDENTITY: Self = Self {
-        parent_from_object: DAffine3::IDENTITY,
-        linear_object_from_parent: DMat3::IDENTITY,
-        stretch: 1.0,
-    };
+    pub const IDENTITY: Self =
+        Self { parent_from_object: DAffine3::IDENTITY, linear_object_from_parent: DMat3::IDENTITY };
 
     /// The map `x_parent = L x_object + T`.
     ///
     /// # Errors
-    /// Refuses (as `transform`) numbers that are not finite, and a map that
-    /// has no inverse, such as a scale by zero.
+    /// Refuses (as `transform`) a map without an inverse, such as a scale by
+    /// zero, and numbers in it or its inverse that are too large to compute
+    /// with.
     pub fn new(parent_from_object: DAffine3) -> Result<Self, Refused> {
-        let linear = parent_from_object.matrix3;
-        let inverse = linear.inverse();
-        let reach = max_abs(parent_from_object.translation);
-        let invertible = parent_from_object.is_finite()
-            && inverse.is_finite()
-            && linear.determinant() != 0.0
-            && reach <= MAX_LENGTH;
-        Refused::unless([refuse_unless(
-            invertible,
-            "transform",
-            "an invertible map of finite numbers",
-            || {
-                let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis].map(show);
-                format!(
-                    "columns {x}, {y}, {z} and translation {}",
-                    show(parent_from_object.translation)
-                )
-            },
-        )])?;
-        let squares = [linear.x_axis, linear.y_axis, linear.z_axis].map(DVec3::length_squared);
-        Ok(Self {
-            parent_from_object,
-            linear_object_from_parent: inverse,
-            stretch: squares.iter().sum::<f64>().sqrt(),
-        })
+        Self::from_parts(parent_from_object, parent_from_object.matrix3.inverse())
     }
 
-    /// First `self`, then `next`.
+    fn from_parts(
+        parent_from_object: DAffine3,
+        linear_object_from_parent: DMat3,
+    ) -> Result<Self, Refused> {
+        let linear = parent_from_object.matrix3;
+        let in_range = |v: DVec3| v.is_finite() && max_abs(v) <= MAX_LENGTH;
+        let columns = |m: DMat3| [m.x_axis, m.y_axis, m.z_axis];
+        Refused::unless([
+            refuse_unless(
+                columns(linear).into_iter().all(in_range)
+                    && columns(linear_object_from_parent).into_iter().all(in_range),
+                "transform",
+                format!("a map that has an inverse, both in numbers of at most {MAX_LENGTH:e}"),
+                || format!("columns {}", columns(linear).map(show).join(", ")),
+            ),
+            refuse_unless(
+                in_range(parent_from_object.translation),
+                "transform",
+                format!("a translation by finite numbers of at most {MAX_LENGTH:e}"),
+                || show(parent_from_object.translation),
+            ),
+        ])?;
+        Ok(Self { parent_from_object, linear_object_from_parent })
+    }
+
+    /// First `self`, then `next`. The inverses are composed as the maps are:
+    /// inverting the product would lose the digits that its condition costs.
     ///
     /// # Errors
     /// As [`Transform::new`].
     pub fn then(self, next: Self) -> Result<Self, Refused> {
-        Self::new(next.parent_from_object * self.parent_from_object)
+        Self::from_parts(
+            next.parent_from_object * self.parent_from_object,
+            self.linear_object_from_parent * next.linear_object_from_parent,
+        )
     }
 
     /// Moves by `by`.
@@ -75,7 +76,7 @@ impl Transform {
     /// # Errors
     /// As [`Transform::new`].
     pub fn translation(by: DVec3) -> Result<Self, Refused> {
-        Self::new(DAffine3::from_translation(by))
+        Self::from_parts(DAffine3::from_translation(by), DMat3::IDENTITY)
     }
 
     /// Scales along the axes; a negative factor mirrors.
@@ -83,7 +84,13 @@ impl Transform {
     /// # Errors
     /// As [`Transform::new`]: no factor may be zero.
     pub fn scale(by: DVec3) -> Result<Self, Refused> {
-        Self::new(DAffine3::from_scale(by))
+        Refused::unless([refuse_unless(
+            by.is_finite() && by.cmpne(DVec3::ZERO).all(),
+            "transform",
+            "three finite factors, none of them 0",
+            || show(by),
+        )])?;
+        Self::from_parts(DAffine3::from_scale(by), DMat3::from_diagonal(by.recip()))
     }
 
     /// Rotates about x, then about y, then about z, by degrees; quarter turns
@@ -98,7 +105,8 @@ impl Transform {
         let rx = DMat3::from_cols_array(&[1.0, 0.0, 0.0, 0.0, cx, sx, 0.0, -sx, cx]);
         let ry = DMat3::from_cols_array(&[cy, 0.0, -sy, 0.0, 1.0, 0.0, sy, 0.0, cy]);
         let rz = DMat3::from_cols_array(&[cz, sz, 0.0, -sz, cz, 0.0, 0.0, 0.0, 1.0]);
-        Self::new(DAffine3::from_mat3(rz * ry * rx))
+        let turn = rz * ry * rx;
+        Self::from_parts(DAffine3::from_mat3(turn), turn.transpose())
     }
 
     /// Whether this changes nothing.
@@ -117,20 +125,17 @@ impl Transform {
 
     /// The object's hit, seen from the parent.
     pub fn parent_from_object(&self, hit: Hit) -> Hit {
-        let translation = self.parent_from_object.translation;
-        // Three products and three sums a component, each off by one rounding.
-        let rounding = 8.0 * UNIT_ROUNDOFF;
-        let size = self.stretch * max_abs(hit.point) + max_abs(translation);
         Hit {
             point: self.parent_from_object.transform_point3(hit.point),
-            point_error: self.stretch * hit.point_error + rounding * size,
+            point_error: self.stretch() * hit.point_error + self.rounding(max_abs(hit.point)),
             geometric_normal: self.normal(hit.geometric_normal),
             shading_normal: self.normal(hit.shading_normal),
             ..hit
         }
     }
 
-    /// A box around everything in `bounds`, seen from the parent.
+    /// A box around everything in `bounds`, seen from the parent, and around
+    /// every hit with it: the rays that find them go in by rounded arithmetic.
     pub fn bounds(&self, bounds: &Aabb) -> Aabb {
         if *bounds == Aabb::EMPTY {
             return Aabb::EMPTY;
@@ -139,7 +144,30 @@ impl Transform {
             return Aabb::EVERYTHING;
         }
         let corners = bounds.corners().map(|p| self.parent_from_object.transform_point3(p));
-        Aabb::around(corners).for_rounded_points()
+        Aabb::around(corners).widened(self.rounding(bounds.max_abs()))
+    }
+
+    /// How far rounding may move a point of this size in the object's space,
+    /// in the parent's units, on the way in and out again. On the way in the
+    /// inverse rounds in proportion to its own size, and going out stretches
+    /// that: together the condition of the map.
+    fn rounding(&self, size: f64) -> f64 {
+        /// Products and sums of two matrices and a composition, each off by
+        /// one rounding, with room to spare.
+        const ROUNDINGS: f64 = 32.0;
+        let translation = max_abs(self.parent_from_object.translation);
+        ROUNDINGS * UNIT_ROUNDOFF * (self.condition() * self.stretch() * size + translation)
+    }
+
+    /// The condition of the map: how many times more than its result rounding
+    /// may be off that goes in and out again.
+    pub fn condition(&self) -> f64 {
+        self.stretch() * norm(self.linear_object_from_parent)
+    }
+
+    /// An upper bound of how much `L` lengthens a vector.
+    fn stretch(&self) -> f64 {
+        norm(self.parent_from_object.matrix3)
     }
 
     /// Normals go by the inverse transpose; the old normal stands in where
@@ -148,6 +176,11 @@ impl Transform {
     fn normal(&self, n: UnitVec) -> UnitVec {
         UnitVec::new(self.linear_object_from_parent.transpose() * *n).unwrap_or(n)
     }
+}
+
+/// The Frobenius norm, which bounds how much a matrix lengthens a vector.
+fn norm(m: DMat3) -> f64 {
+    [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length_squared).iter().sum::<f64>().sqrt()
 }
 
 #[cfg(test)]
@@ -177,10 +210,31 @@ mod tests {
     }
 
     #[test]
+    fn a_small_object_far_away_keeps_its_digits() {
+        let center = 123_456_789.0;
+        let far = Transform::translation(DVec3::new(center, 0.0, 0.0)).unwrap();
+        let small = Transform::scale(DVec3::splat(3e-3)).unwrap().then(far).unwrap();
+        let ray = Ray::new(DVec3::new(center + 0.75, 0.375, 0.0), DVec3::X);
+        // Adding 0.75 is exact, so nothing may be lost by subtracting the
+        // center again; subtracting after the scale loses half the digits.
+        let origin = small.object_from_parent(&ray).origin;
+        assert!((origin - DVec3::new(250.0, 125.0, 0.0)).length() < 1e-12, "{origin}");
+    }
+
+    #[test]
+    fn the_way_of_composing_does_not_matter() {
+        let map = Transform::new(DAffine3::IDENTITY).unwrap();
+        assert_eq!(map, Transform::IDENTITY);
+        assert!(map.then(map).unwrap().is_identity());
+    }
+
+    #[test]
     fn maps_without_an_inverse_are_refused() {
         assert!(Transform::scale(DVec3::new(1.0, 0.0, 1.0)).is_err());
         assert!(Transform::scale(DVec3::new(1.0, f64::NAN, 1.0)).is_err());
         assert!(Transform::translation(DVec3::new(f64::INFINITY, 0.0, 0.0)).is_err());
+        assert!(Transform::scale(DVec3::new(1e155, 1e-155, 1.0)).is_err());
+        assert!(Transform::scale(DVec3::splat(1e-59)).is_ok(), "small is not singular");
         assert!(Transform::scale(DVec3::new(-1.0, 1.0, 1.0)).is_ok(), "mirrors are fine");
     }
 }

@@ -2,10 +2,11 @@
 
 use harness::bless::{Blessed, bless};
 use harness::report::numbers;
+use harness::store;
 use harness::suite::Suite;
 
-use super::progress::Progress;
-use crate::{Answer, CannotAsk};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `bless`.
 #[derive(Debug, clap::Args)]
@@ -22,7 +23,7 @@ pub(crate) struct Args {
     prune: bool,
 }
 
-pub(crate) fn run(suite: &Suite, args: &Args) -> Result<Answer, CannotAsk> {
+pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     // Accepting is for people who have looked; a build server has not.
     if std::env::var_os("CI").is_some() {
         return Err(CannotAsk(
@@ -31,9 +32,10 @@ pub(crate) fn run(suite: &Suite, args: &Args) -> Result<Answer, CannotAsk> {
                 .to_owned(),
         ));
     }
+    let suite = here.suite()?;
     let selection = suite.select(&args.filters)?;
     let progress = Progress::start("blessing", selection.fixtures.len() + selection.orphans.len());
-    let all = bless(suite, &selection, args.prune, &|name, _| {
+    let all = bless(&suite, &selection, args.prune, &|name, _| {
         progress.advance(name);
     });
     progress.finish();
@@ -62,10 +64,14 @@ pub(crate) fn run(suite: &Suite, args: &Args) -> Result<Answer, CannotAsk> {
                 written += 1;
                 let distance = distance
                     .as_ref()
-                    .map_or("another size".to_owned(), |distance| numbers(distance));
+                    .map_or("not comparable".to_owned(), |distance| numbers(distance));
                 println!("replaced  {name}: was {}, old to new: {distance}", verdict.words());
             }
         }
+    }
+    if written > 0 && store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
+        let flag = here.reader(&suite).root_flag;
+        println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);
     }
     println!("{written} written, {untouched} left as they were, {refused} refused");
     Ok(if refused == 0 { Answer::Yes } else { Answer::No })

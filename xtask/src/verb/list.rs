@@ -6,7 +6,7 @@ use harness::metric::{Direction, METRICS};
 use harness::suite::Suite;
 use serde_json::{Value, json};
 
-use crate::{Answer, CannotAsk};
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `list`.
 #[derive(Debug, clap::Args)]
@@ -22,11 +22,9 @@ pub(crate) struct Args {
     json: bool,
 }
 
-pub(crate) fn run(
-    suite: impl FnOnce() -> Result<Suite, CannotAsk>,
-    args: &Args,
-) -> Result<Answer, CannotAsk> {
-    let (text, json) = if args.metrics { metrics() } else { fixtures(&suite()?, &args.filters)? };
+pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
+    let (text, json) =
+        if args.metrics { metrics() } else { fixtures(&here.suite()?, &args.filters)? };
     if args.json {
         println!("{}", serde_json::to_string_pretty(&json)?);
     } else {
@@ -60,13 +58,13 @@ fn metrics() -> (String, Value) {
     for m in METRICS {
         let (name, range, unit) = (m.name, m.range, m.unit);
         let way = direction(m.direction);
-        let gates = if m.can_gate { "can decide a verdict" } else { "is reported only" };
+        let limit = m.limit.map_or("reported only".to_owned(), |limit| format!("limits: {limit}"));
         let _ =
-            write!(text, "{name}: {}\n  range {range}, unit {unit}, {way}, {gates}\n", m.measures);
+            write!(text, "{name}: {}\n  range {range}, unit {unit}, {way}, {limit}\n", m.measures);
         let _ = writeln!(text, "  cannot see: {}", m.blind_spot);
         all.push(json!({
             "name": name, "measures": m.measures, "range": range, "unit": unit,
-            "direction": way, "gates": m.can_gate, "blind_spot": m.blind_spot,
+            "direction": way, "limit": m.limit, "blind_spot": m.blind_spot,
         }));
     }
     (text, json!({ "schema": 1, "metrics": all }))

@@ -2,11 +2,11 @@
 
 use harness::sample_mesh::sample_meshes;
 use harness::store;
-use harness::suite::Suite;
 
-use crate::{Answer, CannotAsk};
+use crate::{Answer, CannotAsk, Here};
 
-pub(crate) fn run(suite: &Suite) -> Result<Answer, CannotAsk> {
+pub(crate) fn run(here: &Here) -> Result<Answer, CannotAsk> {
+    let suite = here.suite()?;
     for (path, bytes) in sample_meshes() {
         store::write(&suite.root().join(path), &bytes)?;
         println!("wrote {path}, {} bytes", bytes.len());

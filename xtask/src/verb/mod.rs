@@ -7,5 +7,4 @@ pub(crate) mod contact_sheet;
 pub(crate) mod list;
 pub(crate) mod meshes;
 pub(crate) mod new;
-pub(crate) mod progress;
 pub(crate) mod render;

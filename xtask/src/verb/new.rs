@@ -1,9 +1,9 @@
 //! `new`: a small valid fixture to start from.
 
-use harness::suite::Suite;
 use harness::template::new_fixture;
+use harness::verdict::shell_word;
 
-use crate::{Answer, CannotAsk};
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `new`.
 #[derive(Debug, clap::Args)]
@@ -12,10 +12,13 @@ pub(crate) struct Args {
     name: String,
 }
 
-pub(crate) fn run(suite: &Suite, Args { name }: &Args) -> Result<Answer, CannotAsk> {
-    let path = new_fixture(suite, name)?;
-    println!("wrote {path}");
-    println!("look:    cargo xtask render {name} --out target/{name}.png");
-    println!("accept:  cargo xtask bless {name}");
+pub(crate) fn run(here: &Here, Args { name }: &Args) -> Result<Answer, CannotAsk> {
+    let suite = here.suite()?;
+    let path = new_fixture(&suite, name)?;
+    let reader = here.reader(&suite);
+    let (prefix, flag, name) = (reader.path_prefix, reader.root_flag, shell_word(name));
+    println!("wrote {prefix}{path}");
+    println!("look:    cargo xtask{flag} render {name} --out {prefix}target/new.png");
+    println!("accept:  cargo xtask{flag} bless {name}");
     Ok(Answer::Yes)
 }

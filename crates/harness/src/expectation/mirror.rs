@@ -23,7 +23,8 @@ impl Expect for Mirror {
                     Self::TopBottom => (x, size.height - 1 - y),
                 };
                 let (one, other) = (picture.linear_at((x, y))?, picture.linear_at((mx, my))?);
-                if one != other {
+                let bits = |c: tracer::Rgb| c.channels().map(f64::to_bits);
+                if bits(one) != bits(other) {
                     return Err(format!(
                         "{self:?} mirror: pixels ({x}, {y}) and ({mx}, {my}): expected equal \
                          bits, found {:?} and {:?}",

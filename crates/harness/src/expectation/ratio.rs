@@ -46,6 +46,9 @@ impl Expect for Ratio {
         if !(self.is.is_finite() && self.is > 0.0) {
             problems.push(("is", format!("`is`: expected a number above 0, found {}", self.is)));
         }
+        if self.of == self.to {
+            problems.push(("to", "`to`: expected another pixel than `of`".to_owned()));
+        }
         problems
     }
 }

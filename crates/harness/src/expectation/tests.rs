@@ -88,6 +88,8 @@ fn nonsense_is_found_before_rendering() {
     let fields = |e: Expectation| e.problems((3, 2)).iter().map(|p| p.0).collect::<Vec<_>>();
     assert_eq!(fields(Expectation::Pixel(Pixel { at: (3, 0), rgb: (0, 0, 0) })), ["at"]);
     assert_eq!(fields(Expectation::Pixel(Pixel { at: (2, 1), rgb: (0, 0, 0) })), [""; 0]);
+    let itself = Ratio { of: (1, 1), to: (1, 1), is: 1.0, within: 0.0 };
+    assert_eq!(fields(Expectation::Ratio(itself)), ["to"]);
     let ratio = Ratio { of: (0, 2), to: (9, 9), is: f64::NAN, within: 1.0 };
     assert_eq!(fields(Expectation::Ratio(ratio)), ["within", "is", "of", "to"]);
 }

@@ -16,7 +16,7 @@ pub(super) const MAX_ABS: Metric = Metric {
     unit: "codes",
     direction: Direction::LowerIsBetter,
     blind_spot: "how many pixels differ, and whether they form a shape",
-    can_gate: true,
+    limit: Some("max_abs"),
     value: |comparison| Some(f64::from(comparison.max_abs)),
 };
 
@@ -27,7 +27,7 @@ pub(super) const DIFFERING_PIXELS: Metric = Metric {
     unit: "pixels",
     direction: Direction::LowerIsBetter,
     blind_spot: "how far each of them is off",
-    can_gate: true,
+    limit: Some("differing_pixels"),
     value: |comparison| Some(comparison.differing_pixels as f64),
 };
 

@@ -24,7 +24,7 @@ pub(super) const MSSIM: Metric = Metric {
     unit: "1",
     direction: Direction::HigherIsBetter,
     blind_spot: "hue at equal luma; too harsh on faint noise, its C2 is 64 times too small",
-    can_gate: false,
+    limit: None,
     value: |comparison| comparison.image_compare_mssim,
 };
 
@@ -35,7 +35,7 @@ pub(super) const HYBRID: Metric = Metric {
     unit: "1",
     direction: Direction::HigherIsBetter,
     blind_spot: "a lost chroma channel: red (200, 0, 0) and green (0, 102, 0) score 1",
-    can_gate: false,
+    limit: None,
     value: |comparison| comparison.image_compare_hybrid,
 };
 

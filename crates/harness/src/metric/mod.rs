@@ -37,8 +37,9 @@ pub struct Metric {
     pub direction: Direction,
     /// Damage it is blind to, or nearly so.
     pub blind_spot: &'static str,
-    /// Whether a limit on it can decide a verdict; if not, it is reported only.
-    pub can_gate: bool,
+    /// The limits of a fixture that decide by it; `None` where it is reported
+    /// only.
+    pub limit: Option<&'static str>,
     /// Its value in a comparison; `None` where it has none.
     pub value: fn(&Comparison) -> Option<f64>,
 }

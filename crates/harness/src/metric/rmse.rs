@@ -11,7 +11,7 @@ pub(super) const RMSE: Metric = Metric {
     unit: "codes",
     direction: Direction::LowerIsBetter,
     blind_spot: "damage to few pixels of a large picture; where it is, and its shape",
-    can_gate: true,
+    limit: None,
     value: |comparison| Some(comparison.rmse),
 };
 
@@ -22,7 +22,7 @@ pub(super) const PSNR: Metric = Metric {
     unit: "dB",
     direction: Direction::HigherIsBetter,
     blind_spot: "what rmse is blind to",
-    can_gate: true,
+    limit: None,
     value: |comparison| comparison.psnr_db,
 };
 

@@ -40,7 +40,7 @@ pub(super) const MEAN: Metric = Metric {
     direction: Direction::HigherIsBetter,
     blind_spot: "damage to few windows: a limit of 0.98 lets any damage to 1 % of them through; \
                  the outermost pixels, which few windows inside reach",
-    can_gate: true,
+    limit: Some("ssim"),
     value: |comparison| Some(comparison.ssim_mean),
 };
 
@@ -52,7 +52,7 @@ pub(super) const MIN: Metric = Metric {
     direction: Direction::HigherIsBetter,
     blind_spot: "how many windows are that bad; brightness of flat areas; small changes amid \
                  strong contrast",
-    can_gate: true,
+    limit: Some("ssim, ssim_worst"),
     value: |comparison| Some(comparison.ssim_min),
 };
 

@@ -4,4 +4,4 @@ mod json;
 mod text;
 
 pub use json::{comparison_json, run_json};
-pub use text::{Summary, comparison_lines, numbers, outcome_line, summarize};
+pub use text::{Reader, Summary, comparison_lines, numbers, outcome_line, summarize};

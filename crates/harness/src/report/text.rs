@@ -6,17 +6,29 @@ use std::fmt;
 use crate::metric::{Comparison, METRICS};
 use crate::verdict::{Outcome, Verdict};
 
+/// Where a report is read: what to put into paths and commands so that they
+/// work there.
+#[derive(Debug, Clone, Default)]
+pub struct Reader {
+    /// Before a path relative to the suite: empty in the suite's own folder.
+    pub path_prefix: String,
+    /// After `cargo xtask`: ` --root ...` where the suite was named so.
+    pub root_flag: String,
+}
+
 /// One line for an outcome: verdict, name, numbers, where to look, what to do.
-/// A fixture with problems is followed by them, indented.
+/// A fixture with problems is followed by them, indented. JSON has all
+/// findings; a line has the first three.
 ///
 /// ```
-/// use harness::report::outcome_line;
+/// use harness::report::{Reader, outcome_line};
 /// use harness::verdict::{Outcome, Verdict};
 ///
 /// let outcome = Outcome {
 ///     name: "sphere/far".to_owned(),
 ///     verdict: Verdict::MissingGolden,
 ///     findings: vec!["there is no golden".to_owned()],
+///     breaks_expectations: false,
 ///     comparison: None,
 ///     size: Some((64, 48)),
 ///     render_ms: 1.0,
@@ -24,12 +36,13 @@ use crate::verdict::{Outcome, Verdict};
 ///     strip: Some("target/goldray/sphere/far.png".to_owned()),
 /// };
 /// assert_eq!(
-///     outcome_line(&outcome),
+///     outcome_line(&outcome, &Reader::default()),
 ///     "missing golden      sphere/far: there is no golden | \
 ///      see target/goldray/sphere/far.png | if meant: cargo xtask bless sphere/far"
 /// );
 /// ```
-pub fn outcome_line(outcome: &Outcome) -> String {
+pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
+    const SHOWN: usize = 3;
     let Outcome { name, verdict, findings, comparison, strip, .. } = outcome;
     let head = format!("{:<19} {name}", verdict.words());
     if *verdict == Verdict::RenderRefused {
@@ -38,16 +51,24 @@ pub fn outcome_line(outcome: &Outcome) -> String {
     }
     let mut parts = Vec::new();
     if !findings.is_empty() {
-        parts.push(findings.join("; "));
+        let more = match findings.len().saturating_sub(SHOWN) {
+            0 => String::new(),
+            more => format!("; and {more} more, see --json"),
+        };
+        let shown = &findings[..findings.len().min(SHOWN)];
+        parts.push(format!("{}{more}", shown.join("; ")));
     }
     if let Some(comparison) = comparison.as_ref().filter(|c| !c.is_identical()) {
         parts.push(numbers(comparison));
     }
     if let Some(strip) = strip {
-        parts.push(format!("see {strip}"));
+        parts.push(format!("see {}{strip}", reader.path_prefix));
     }
-    if let Some(command) = outcome.command().filter(|_| *verdict != Verdict::ExpectationFailed) {
-        parts.push(format!("if meant: {command}"));
+    if let Some(remedy) = outcome.remedy() {
+        let flag = &reader.root_flag;
+        parts.push(format!("if meant: cargo xtask{flag} {remedy}"));
+    } else if outcome.breaks_expectations {
+        parts.push("mend the scene, the tracer, or what the fixture expects".to_owned());
     }
     if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
 }
@@ -66,7 +87,7 @@ pub fn numbers(c: &Comparison) -> String {
 pub fn comparison_lines(c: &Comparison) -> String {
     let line = |m: &crate::metric::Metric| {
         let value = (m.value)(c).map_or("-".to_owned(), |v| format!("{v}"));
-        let note = if m.can_gate { "" } else { " (reported only)" };
+        let note = if m.limit.is_some() { "" } else { " (reported only)" };
         format!("{:<22} {value}{note}\n", m.name)
     };
     METRICS.iter().map(line).collect()

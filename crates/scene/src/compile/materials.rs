@@ -1,6 +1,6 @@
 //! Materials by name, each followed to what it really is.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use tracer::{Convention, Material, Rgb};
 
@@ -26,8 +26,7 @@ pub(super) fn resolve(
                 None
             }
             Err(Dangling::Circle(circle)) => {
-                let message =
-                    format!("materials name each other in a circle: {}", circle.join(" -> "));
+                let message = format!("materials name each other in a circle: {circle}");
                 findings.add(&path, message);
                 None
             }
@@ -60,21 +59,26 @@ pub(super) fn of_object(
 /// Why a name leads to no material.
 enum Dangling {
     Unknown(String),
-    Circle(Vec<String>),
+    Circle(String),
 }
 
 fn follow<'a>(
-    name: &str,
+    name: &'a str,
     mut material: &'a format::Material,
     written: &'a BTreeMap<String, format::Material>,
 ) -> Result<&'a format::Material, Dangling> {
-    let mut way = vec![name.to_owned()];
+    /// The most names of a circle that are told.
+    const TOLD: usize = 6;
+    let mut way = vec![name];
+    let mut seen = BTreeSet::from([name]);
     while let format::Material::Named(next) = material {
         material = written.get(next).ok_or_else(|| Dangling::Unknown(next.clone()))?;
-        let been_there = way.contains(next);
-        way.push(next.clone());
-        if been_there {
-            return Err(Dangling::Circle(way));
+        way.push(next);
+        if !seen.insert(next) {
+            if way.len() > TOLD {
+                way.splice(TOLD / 2..way.len() - TOLD / 2, ["..."]);
+            }
+            return Err(Dangling::Circle(way.join(" -> ")));
         }
     }
     Ok(material)

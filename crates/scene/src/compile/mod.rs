@@ -183,7 +183,7 @@ fn light(written: &format::Light, convention: Convention) -> Result<tracer::Ligh
         format::Light::Point { position, intensity, falloff } => {
             let falloff = match falloff {
                 None => convention.default_falloff(),
-                Some(format::Falloff::Constant) => tracer::Falloff::None,
+                Some(format::Falloff::Constant) => tracer::Falloff::Constant,
                 Some(format::Falloff::InverseSquare) => tracer::Falloff::InverseSquare,
             };
             tracer::Light::point(point(position), Rgb::from(intensity), falloff)

@@ -89,6 +89,7 @@ impl Objects<'_> {
         let read = || -> Result<_, String> {
             check_path(file)
                 .map_err(|expected| format!("expected {expected}, found \"{file}\""))?;
+            mesh::check_ending(file).map_err(|why| format!("mesh \"{file}\" {why}"))?;
             let bytes = self.assets.read(file).map_err(|why| format!("mesh \"{file}\" {why}"))?;
             mesh::read(file, &bytes).map_err(|why| format!("mesh \"{file}\" {why}"))
         };

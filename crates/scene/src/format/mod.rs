@@ -6,8 +6,9 @@
 //! makes of them. Field names are those of the tracer's constructors, so that
 //! a number the tracer refuses is found in the file by its name.
 //!
-//! A field that is left out is not written back either, so a format with more
-//! optional fields gives old files the same canonical text.
+//! A field that later versions add must be left out of what is written back
+//! where it has its default, so that old files keep their canonical text and
+//! goldens their provenance.
 
 mod camera;
 mod light;

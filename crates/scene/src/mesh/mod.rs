@@ -14,19 +14,32 @@ pub(crate) struct MeshData {
     pub(crate) normals: Option<MeshNormals>,
 }
 
+/// Whether a file's name is that of a mesh.
+///
+/// # Errors
+/// What is wrong, as the end of a sentence that starts with the file's name.
+pub(crate) fn check_ending(path: &str) -> Result<(), String> {
+    reader(path).map(|_| ())
+}
+
 /// Reads a mesh by the ending of its file's name.
 ///
 /// # Errors
 /// What is wrong, as the end of a sentence that starts with the file's name.
 pub(crate) fn read(path: &str, bytes: &[u8]) -> Result<MeshData, String> {
+    reader(path)?(bytes)
+}
+
+type Reader = fn(&[u8]) -> Result<MeshData, String>;
+
+fn reader(path: &str) -> Result<Reader, String> {
     let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
-    if ending.eq_ignore_ascii_case("obj") {
-        obj::read(bytes)
-    } else if ending.eq_ignore_ascii_case("ply") {
-        ply::read(bytes)
-    } else {
-        Err("is neither an OBJ nor a PLY file by its name: expected one that ends in .obj or .ply"
-            .to_owned())
+    match ending.to_ascii_lowercase().as_str() {
+        "obj" => Ok(obj::read),
+        "ply" => Ok(ply::read),
+        _ => Err("is neither an OBJ nor a PLY file by its name: expected one that ends in .obj \
+                  or .ply"
+            .to_owned()),
     }
 }
 

@@ -6,10 +6,18 @@ use tracer::shape::MeshNormals;
 
 use super::MeshData;
 
+/// The largest file in which the line of an error is looked for.
+const SEARCHED_BYTES: usize = 4 << 20;
+
 /// Polygons are cut into triangles as fans; objects and groups of the file are
 /// put together in order. Normals count where every face has them.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshData, String> {
     let (models, _) = load(bytes).map_err(|error| {
+        // Reading it again and again to find the line is for files that are
+        // read in no time.
+        if bytes.len() > SEARCHED_BYTES {
+            return format!("is not a readable OBJ file: {error}");
+        }
         let line = first_bad_line(bytes);
         format!("is not a readable OBJ file: line {line}: {error}")
     })?;
@@ -22,7 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshData, String> {
         normals.faces.extend(shifted(&normal_indices, normals.normals.len())?);
         normals.normals.extend(points(&n));
     }
-    if !normals.faces.is_empty() && normals.faces.len() == mesh.faces.len() {
+    if every_corner_has_a_normal(bytes) && normals.faces.len() == mesh.faces.len() {
         mesh.normals = Some(normals);
     }
     Ok(mesh)
@@ -37,6 +45,17 @@ fn load(mut bytes: &[u8]) -> LoadResult {
     };
     // Materials are the scene's: a library that the file names is not opened.
     tobj::load_obj_buf(&mut bytes, &options, |_| Err(LoadError::OpenFileFailed))
+}
+
+/// Whether every corner of every face names a normal (`a//n` or `a/t/n`). The
+/// reader stands in any other normal where one does not.
+fn every_corner_has_a_normal(bytes: &[u8]) -> bool {
+    let lines = bytes.split(|&b| b == b'\n').map(<[u8]>::trim_ascii);
+    let faces = lines.filter_map(|line| line.strip_prefix(b"f "));
+    let corners = faces.flat_map(|face| face.split(u8::is_ascii_whitespace));
+    corners
+        .filter(|corner| !corner.is_empty())
+        .all(|corner| corner.split(|&b| b == b'/').nth(2).is_some_and(|normal| !normal.is_empty()))
 }
 
 fn points(numbers: &[f64]) -> impl Iterator<Item = DVec3> {

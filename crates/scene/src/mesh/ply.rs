@@ -11,9 +11,21 @@ use super::MeshData;
 /// A vertex has `x`, `y`, `z` and may have `nx`, `ny`, `nz`; a face has a list
 /// `vertex_indices` (or `vertex_index`) and is cut into triangles as a fan.
 pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
-    let ply = Parser::<DefaultElement>::new()
-        .read_ply(&mut bytes)
-        .map_err(|error| format!("is not a readable PLY file: {error}"))?;
+    let parser = Parser::<DefaultElement>::new();
+    let header = parser.read_ply_header(&mut &*bytes).map_err(|error| unreadable(&error))?;
+    // The parser makes as many elements as the header says, even of nothing.
+    for element in header.elements.values() {
+        if element.properties.is_empty() || element.count > bytes.len() {
+            return Err(format!(
+                "is not a readable PLY file: {} elements `{}` of {} properties in {} bytes",
+                element.count,
+                element.name,
+                element.properties.len(),
+                bytes.len()
+            ));
+        }
+    }
+    let ply = parser.read_ply(&mut bytes).map_err(|error| unreadable(&error))?;
     let elements = |name: &str| {
         let found = ply.payload.get(name).filter(|elements| !elements.is_empty());
         found.ok_or_else(|| format!("has no element `{name}`, which a mesh needs"))
@@ -31,7 +43,10 @@ pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
             .into_iter()
             .find_map(|name| indices(face.get(name)?))
             .ok_or_else(|| {
-                format!("has a face without the list `vertex_indices`: number {number}")
+                format!(
+                    "has a face without a list `vertex_indices` of whole numbers from 0: \
+                     number {number}"
+                )
             })?;
         let [first, rest @ ..] = &corners[..] else {
             continue;
@@ -41,6 +56,13 @@ pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
     let normals: Option<Vec<_>> = vertices.iter().map(|v| triple(v, ["nx", "ny", "nz"])).collect();
     mesh.normals = normals.map(|normals| MeshNormals { normals, faces: mesh.faces.clone() });
     Ok(mesh)
+}
+
+/// The first line of the parser's error says what; the rest is its inside.
+fn unreadable(error: &impl std::fmt::Display) -> String {
+    let error = error.to_string();
+    let first: String = error.lines().next().unwrap_or("").chars().take(80).collect();
+    format!("is not a readable PLY file: {first}")
 }
 
 fn triple(element: &DefaultElement, names: [&str; 3]) -> Option<DVec3> {

@@ -59,6 +59,21 @@ fn objects_of_a_file_are_put_together() {
     assert_eq!(corner(2, 1), dvec3(0.0, 1.0, 0.0), "counted from the end");
 }
 
+#[test]
+fn normals_follow_their_objects_and_count_only_where_all_faces_have_them() {
+    let corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let two = format!(
+        "o a\n{corner}vn 0 0 1\nf 1//1 2//1 3//1\no b\n{corner}vn 1 0 0\nf 4//2 5//2 6//2\n"
+    );
+    let normals = read("a.obj", two.as_bytes()).unwrap().normals.unwrap();
+    let first_of = |face: usize| normals.normals[normals.faces[face][0] as usize];
+    assert_eq!((first_of(0), first_of(1)), (dvec3(0.0, 0.0, 1.0), dvec3(1.0, 0.0, 0.0)));
+    let partial = two.replace("f 4//2 5//2 6//2", "f 4 5 6");
+    assert!(read("a.obj", partial.as_bytes()).unwrap().normals.is_none());
+    let other_name = SQUARE_PLY.replace("vertex_indices", "vertex_index");
+    assert_eq!(read("a.ply", other_name.as_bytes()).unwrap().faces.len(), 2);
+}
+
 #[track_caller]
 fn check_error(name: &str, text: &str, expected: &str) {
     let error = read(name, text.as_bytes()).unwrap_err();
@@ -75,10 +90,12 @@ fn broken_files() {
     check_error("a.ply", "ply\nformat ascii 1.0\nend_header\n", "no element `vertex`");
     let absurd = SQUARE_PLY.replace("element vertex 4", "element vertex 4000000000");
     check_error("a.ply", &absurd, "not a readable PLY");
+    let nothing = "ply\nformat binary_little_endian 1.0\nelement foo 300000000\nend_header\n";
+    check_error("a.ply", nothing, "300000000 elements `foo` of 0 properties");
     let no_z = SQUARE_PLY.replace("property float z", "property float q");
     check_error("a.ply", &no_z, "without the numbers");
     let negative = SQUARE_PLY.replace("4 0 1 2 3", "4 0 1 2 -3");
-    check_error("a.ply", &negative, "face without the list");
+    check_error("a.ply", &negative, "face without a list");
 }
 
 #[test]

@@ -6,14 +6,12 @@
 
 use glam::DVec3;
 
-use super::Candidate;
+use super::{Candidate, LEAF};
 use crate::math::{UNIT_ROUNDOFF, max_abs};
 use crate::{Aabb, Interval, Ray};
 
 /// Bins per axis when a node is split.
 const BINS: usize = 16;
-/// A node of this many candidates is not split.
-const LEAF: usize = 4;
 /// Below this depth nodes are halved by count, which bounds the depth at
 /// twice this for up to 2^32 candidates, and so the traversal's stack.
 const SAH_DEPTH: usize = 32;
@@ -31,6 +29,8 @@ pub struct Bvh {
     unbounded: Vec<u32>,
     /// The largest coordinate of any box, for the rounding of box tests.
     extent: f64,
+    /// How many times more than a shape's own formulas the candidates round.
+    rounding: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -43,15 +43,13 @@ struct Node {
 }
 
 impl Bvh {
-    /// The hierarchy over candidates with these boxes.
-    pub fn new(boxes: &[Aabb]) -> Self {
+    /// The hierarchy over candidates with these boxes; see
+    /// [`Accelerator::build`](super::Accelerator::build).
+    pub fn new(boxes: &[Aabb], rounding: f64) -> Self {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
             (0..boxes.len() as u32).partition(|&i| boxes[i as usize].is_finite());
-        let extent = bounded
-            .iter()
-            .map(|&i| max_abs(boxes[i as usize].min).max(max_abs(boxes[i as usize].max)))
-            .fold(0.0, f64::max);
-        let mut bvh = Self { nodes: Vec::new(), order: bounded, unbounded, extent };
+        let extent = bounded.iter().map(|&i| boxes[i as usize].max_abs()).fold(0.0, f64::max);
+        let mut bvh = Self { nodes: Vec::new(), order: bounded, unbounded, extent, rounding };
         if !bvh.order.is_empty() {
             let mut builder = Builder { boxes, nodes: Vec::new() };
             builder.node(&mut bvh.order, 0, 0);
@@ -111,7 +109,7 @@ impl Bvh {
         if self.nodes.is_empty() {
             return false;
         }
-        let slabs = Slabs::new(ray, self.extent);
+        let slabs = Slabs::new(ray, self.extent, self.rounding);
         let mut stack = [(0_u32, f64::NEG_INFINITY); STACK];
         let mut top = 0;
         let mut node = 0_u32;
@@ -173,11 +171,11 @@ struct Slabs {
 }
 
 impl Slabs {
-    fn new(ray: &Ray, extent: f64) -> Self {
+    fn new(ray: &Ray, extent: f64, rounding: f64) -> Self {
         // Distances from the origin are at most origin + extent; the formulas
         // of the shapes and of this test are off by some units in the last
         // place of that. 64 is above the sum of all of them.
-        let pad = 64.0 * UNIT_ROUNDOFF * (max_abs(ray.origin) + extent);
+        let pad = 64.0 * UNIT_ROUNDOFF * rounding * (max_abs(ray.origin) + extent);
         Self { origin: ray.origin, inverse: ray.direction.recip(), pad }
     }
 
@@ -186,7 +184,8 @@ impl Slabs {
     ///
     /// A zero in the direction makes both quotients infinite: of opposite
     /// signs inside the slab, of equal ones outside. `f64::max` and `min` pass
-    /// over a NaN, so a side that says nothing excludes nothing.
+    /// over the NaN of an origin exactly on a widened side, which is outside
+    /// the box itself.
     fn enter(&self, bounds: &Aabb, t_min: f64, t_max: f64) -> Option<f64> {
         let (mut enter, mut leave) = (t_min, t_max);
         for axis in 0..3 {

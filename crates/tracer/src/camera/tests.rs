@@ -110,6 +110,18 @@ fn bad_views_are_refused_with_every_reason() {
     let away = View { proj_normal: Some(dvec3(0.0, 0.0, -1.0)), ..STRAIGHT };
     assert_eq!(fields(away, Projection::Parallel), ["proj_normal"]);
     assert!(Camera::look_at(DVec3::ZERO, DVec3::ZERO, DVec3::Y, 40.0, 1.0).is_err());
+    for d in [dvec3(-4.0, 1.0, -5.0), dvec3(1.0, 3.0, 7.0), dvec3(0.1, 0.2, 0.3)] {
+        let flat = View { view_dir: d, view_up: 2.0 * d, ..STRAIGHT };
+        assert_eq!(fields(flat, Projection::Parallel), ["view_up"], "{d}");
+        assert!(Camera::look_at(DVec3::ZERO, d, -3.0 * d, 40.0, 1.0).is_err(), "{d}");
+    }
+    let close = Camera::look_at(DVec3::ZERO, dvec3(1e-70, 0.0, 0.0), DVec3::Y, 40.0, 1.0);
+    assert_eq!(close.unwrap_err().refusals()[0].field, "at");
+    let narrow = Camera::look_at(DVec3::ZERO, DVec3::X, DVec3::Y, 1e-70, f64::NAN).unwrap_err();
+    assert_eq!(
+        narrow.refusals().iter().map(|r| r.field).collect::<Vec<_>>(),
+        ["fov_deg", "aspect"]
+    );
     assert!(Camera::look_at(DVec3::ZERO, DVec3::Y, DVec3::Y, 40.0, 1.0).is_err());
     assert!(Camera::look_at(DVec3::ZERO, DVec3::X, DVec3::Y, 180.0, 1.0).is_err());
 }

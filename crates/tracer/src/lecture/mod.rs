@@ -4,7 +4,7 @@
 //! Source: "Ray Tracing Basics", lecture 7 of Cornell CS4620/5620, fall 2011
 //! (Kavita Bala, after James and Marschner).
 //!
-//! | slide | here |
+//! | item | here |
 //! |---|---|
 //! | Generating eye rays: perspective, parallel | [`Camera::ray`](crate::Camera::ray) |
 //! | Pixel-to-image mapping | [`pixel_center`](crate::pixel_center) |

@@ -39,7 +39,7 @@ pub fn ray_slab(p: f64, d: f64, min: f64, max: f64) -> Option<(f64, f64)> {
 /// when the quotients come out equal; the box that renders,
 /// [`AxisBox`](crate::shape::AxisBox), allows for their rounding.
 ///
-/// Source: slide "Ray-box intersection".
+/// Source: slides "Ray-slab intersection", in three axes.
 pub fn ray_box(min: DVec3, max: DVec3, ray: &Ray) -> Option<(f64, f64)> {
     let (p, d) = (ray.origin, ray.direction);
     let (enter_x, leave_x) = ray_slab(p.x, d.x, min.x, max.x)?;

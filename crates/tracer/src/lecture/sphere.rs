@@ -31,8 +31,8 @@ pub fn sphere_algebraic(center: DVec3, radius: f64, ray: &Ray, range: Interval) 
 /// `sqrt(r^2 - l_m^2)` by Pythagoras.
 ///
 /// The slide's direction is of unit length. A general one is normalized first
-/// and `t` given back in its units, which already costs digits: a direction
-/// that is off unit length by 6e-8 moves the hit by as much.
+/// and `t` given back in its units; from far away the rounding of that alone
+/// decides between hit and miss.
 ///
 /// Source: slide "Ray-sphere intersection: algebraic", its unit-vector form
 /// `t = -d.p +- sqrt((d.p)^2 - p.p + 1)`, read geometrically.

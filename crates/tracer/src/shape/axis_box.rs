@@ -80,7 +80,7 @@ fn face(axis: usize, higher: bool) -> u32 {
 
 impl Geometry for AxisBox {
     fn bounds(&self) -> Aabb {
-        Aabb { min: self.min, max: self.max }.for_rounded_points()
+        Aabb { min: self.min, max: self.max }
     }
 
     /// The side where the ray enters, or the one where it leaves if the entry

@@ -36,7 +36,7 @@ impl Geometry for Disk {
     /// tightest box.
     fn bounds(&self) -> Aabb {
         let r = DVec3::splat(self.radius);
-        Aabb { min: self.center - r, max: self.center + r }.for_rounded_points()
+        Aabb { min: self.center - r, max: self.center + r }
     }
 
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {

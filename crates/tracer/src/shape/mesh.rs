@@ -18,8 +18,8 @@ pub struct MeshNormals {
     pub faces: Vec<[u32; 3]>,
 }
 
-/// A mesh of triangles. One without an area is kept, so that numbers stay
-/// the file's, and is never hit.
+/// A mesh of triangles. One without an area is kept among others, so that
+/// numbers stay the file's, and is never hit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     vertices: Vec<DVec3>,
@@ -34,7 +34,7 @@ impl Mesh {
     /// three.
     ///
     /// # Errors
-    /// Refuses a mesh without triangles, corners or normals that are not
+    /// Refuses a mesh without a triangle that has an area, corners or normals that are not
     /// finite, an index out of range, and normals for another number of
     /// triangles.
     pub fn new(
@@ -64,7 +64,7 @@ impl Mesh {
                 indices_fit(&faces, vertices.len()),
                 "faces",
                 format!("corner indices below {}", vertices.len()),
-                || format!("{:?}", faces.iter().flatten().max()),
+                || faces.iter().flatten().max().map_or("none".into(), u32::to_string),
             ),
             refuse_unless(
                 normals_fit,
@@ -74,9 +74,15 @@ impl Mesh {
             ),
         ])?;
         let corners = |face: &[u32; 3]| face.map(|i| vertices[i as usize]);
+        Refused::unless([refuse_unless(
+            faces.iter().any(|f| triangle::normal(corners(f)).is_some()),
+            "faces",
+            "at least one triangle with an area",
+            || format!("{} without", faces.len()),
+        )])?;
         let boxes: Vec<_> = faces.iter().map(|f| triangle::bounds(corners(f))).collect();
         let bounds = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        let accelerator = Accelerator::build(build, &boxes);
+        let accelerator = Accelerator::build(build, &boxes, 1.0);
         Ok(Self { vertices, faces, normals, bounds, accelerator })
     }
 

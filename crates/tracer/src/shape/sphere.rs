@@ -40,7 +40,7 @@ impl Sphere {
 impl Geometry for Sphere {
     fn bounds(&self) -> Aabb {
         let r = DVec3::splat(self.radius);
-        Aabb { min: self.center - r, max: self.center + r }.for_rounded_points()
+        Aabb { min: self.center - r, max: self.center + r }
     }
 
     /// The quadratic `a t^2 - 2 b' t + c = 0` with `f = p - center`,

@@ -49,14 +49,23 @@ impl Geometry for Triangle {
     }
 }
 
-/// The unit normal `(b - a) x (c - a)`; `None` for corners on a line.
+/// The unit normal `(b - a) x (c - a)`; `None` for corners on a line. Each
+/// component has its exact sign for the rounded edges, so a thin triangle that
+/// can be hit has a normal.
 pub(super) fn normal([a, b, c]: [DVec3; 3]) -> Option<UnitVec> {
-    UnitVec::new((b - a).cross(c - a))
+    let (e, f) = (b - a, c - a);
+    // Scaled so that products neither overflow nor underflow.
+    let (e, f) = (e / max_abs(e), f / max_abs(f));
+    UnitVec::new(DVec3::new(
+        difference_of_products(e.y, f.z, e.z, f.y),
+        difference_of_products(e.z, f.x, e.x, f.z),
+        difference_of_products(e.x, f.y, e.y, f.x),
+    ))
 }
 
 /// Bounds of the corners.
 pub(super) fn bounds(corners: [DVec3; 3]) -> Aabb {
-    Aabb::around(corners).for_rounded_points()
+    Aabb::around(corners)
 }
 
 /// The point by its corners' weights, which stays on the plane whatever the

@@ -5,19 +5,23 @@ use super::super::problem::{Span, offset};
 use super::super::words::excerpt;
 use super::{Lexer, TokenKind};
 
+/// More bytes than a character takes however it is escaped.
+const LONGEST_CHARACTER: usize = 64;
+
 impl Lexer<'_> {
     /// A text in `"`, which stands `prefix` bytes from here; false if it has no end.
     pub(super) fn quoted(&mut self, prefix: usize) -> bool {
         let rest = self.rest();
         let inside = &rest[prefix + 1..];
-        let line = inside.find('\n').unwrap_or(inside.len());
-        let end = closing_quote(inside, '"');
-        match end {
-            Some(end) if end < line || !self.one_line_texts => {
+        // The line's end is looked for only where it matters, and no further
+        // than needed: a file may be one line of a million texts.
+        match closing_quote(inside, '"') {
+            Some(end) if !self.one_line_texts || !inside[..end].contains('\n') => {
                 self.literal(prefix + 1 + end + 1);
                 true
             }
             _ if self.one_line_texts => {
+                let line = inside.find('\n').unwrap_or(inside.len());
                 self.report(prefix + 1, "`\"` is never closed");
                 let next = likely_end(&inside[..line]);
                 let shown = inside[..next.unwrap_or(line)].trim_end();
@@ -52,6 +56,7 @@ impl Lexer<'_> {
     pub(super) fn character(&mut self, prefix: usize) {
         let rest = self.rest();
         let inside = &rest[prefix + 1..];
+        let inside = &inside[..inside.floor_char_boundary(LONGEST_CHARACTER)];
         let line = inside.find('\n').unwrap_or(inside.len());
         // `'''` is a quote.
         if inside.starts_with("''") {

@@ -257,7 +257,7 @@ pub(super) fn any<'de, V: Visitor<'de>>(
             value.deserialize_option(visitor)
         }
         Kind::Tuple(items) | Kind::List(items) => elements(run, node, items, None, visitor),
-        Kind::Struct(_) => match fields::body(run, node, inside, "") {
+        Kind::Struct(_) => match fields::body(run, node, inside, "", &[]) {
             Some(body) => fields::read(run, body, "", "", &[], visitor),
             None => visitor.visit_unit(),
         },

@@ -45,6 +45,7 @@ pub(super) fn body<'a>(
     node: &'a Node,
     inside: bool,
     name: &str,
+    known: &[&str],
 ) -> Option<Body<'a>> {
     let entry = |name: &'a Name, value| Entry { name: &name.text, place: name.span, value };
     let expected =
@@ -57,10 +58,10 @@ pub(super) fn body<'a>(
             [] => Vec::new(),
             [one] if inside && has_fields(one) => {
                 too_many_parentheses(run, node, one);
-                return body(run, one, false, name);
+                return body(run, one, false, name, known);
             }
             _ => {
-                run.mismatch(node, expected, None);
+                run.mismatch(node, expected, form(name, known));
                 return None;
             }
         },
@@ -77,11 +78,17 @@ pub(super) fn body<'a>(
             keys.collect()
         }
         _ => {
-            run.mismatch(node, expected, None);
+            run.mismatch(node, expected, form(name, known));
             return None;
         }
     };
     Some(Body { owner: node, entries })
+}
+
+/// How to write it, if its fields are known.
+fn form(name: &str, known: &[&str]) -> Option<String> {
+    let fields: Vec<_> = known.iter().map(|field| format!("{field}: ...")).collect();
+    (!known.is_empty()).then(|| format!("write `{name}({})`", fields.join(", ")))
 }
 
 /// Whether this holds fields, or nothing, in parentheses.

@@ -298,7 +298,7 @@ impl<'de> Deserializer<'de> for Value<'_> {
             if !self.inside {
                 fields::check_name(self.run, self.node, name);
             }
-            if let Some(body) = fields::body(self.run, self.node, self.inside, name) {
+            if let Some(body) = fields::body(self.run, self.node, self.inside, name, names) {
                 return fields::read(self.run, body, name, "", names, visitor);
             }
         }

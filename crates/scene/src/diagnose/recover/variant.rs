@@ -174,7 +174,7 @@ impl<'de> VariantAccess<'de> for Variant<'_> {
         visitor: V,
     ) -> Result<V::Value, Error> {
         if self.has_parentheses("fields")
-            && let Some(body) = fields::body(self.run, self.node, false, self.tag)
+            && let Some(body) = fields::body(self.run, self.node, false, self.tag, names)
         {
             return fields::read(self.run, body, self.tag, self.tag, names, visitor);
         }

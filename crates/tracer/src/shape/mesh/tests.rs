@@ -4,15 +4,19 @@ use glam::dvec3;
 
 use super::*;
 
-/// The square [0, 2]^2 at z = 0 as two triangles that share a diagonal.
+/// The square [0, 2]^2 at z = 0 as two triangles that share a diagonal, and
+/// four more out of the way, so that there is a hierarchy.
 fn square(normals: Option<MeshNormals>, build: Build) -> Mesh {
     let vertices = vec![
         dvec3(0.0, 0.0, 0.0),
         dvec3(2.0, 0.0, 0.0),
         dvec3(2.0, 2.0, 0.0),
         dvec3(0.0, 2.0, 0.0),
+        dvec3(9.0, 9.0, 9.0),
     ];
-    Mesh::new(vertices, vec![[0, 1, 2], [0, 2, 3]], normals, build).unwrap()
+    let away = [[1, 2, 4]; 4];
+    let faces = [[0, 1, 2], [0, 2, 3]].into_iter().chain(away).collect();
+    Mesh::new(vertices, faces, normals, build).unwrap()
 }
 
 fn down(x: f64, y: f64) -> Ray {
@@ -39,7 +43,7 @@ fn normals_are_interpolated_where_there_are_any() {
     let straight = dvec3(0.0, 0.0, 9.0);
     let normals = MeshNormals {
         normals: vec![straight, tilted, DVec3::ZERO],
-        faces: vec![[0, 1, 1], [2, 0, 0]],
+        faces: [[0, 1, 1], [2, 0, 0]].into_iter().chain([[0; 3]; 4]).collect(),
     };
     let mesh = square(Some(normals), Build::Bvh);
     let shading = |ray: Ray| {
@@ -65,6 +69,7 @@ fn bad_meshes_are_refused() {
     };
     assert_eq!(fields(v.clone(), vec![], None), ["faces"]);
     assert_eq!(fields(v.clone(), vec![[0, 1, 3]], None), ["faces"]);
+    assert_eq!(fields(v.clone(), vec![[0, 1, 1]], None), ["faces"]);
     let nan = vec![DVec3::ZERO, DVec3::X, dvec3(0.0, f64::NAN, 0.0)];
     assert_eq!(fields(nan, vec![[0, 1, 2]], None), ["vertices"]);
     let normals = MeshNormals { normals: vec![DVec3::Z], faces: vec![[0, 0, 1]] };

@@ -128,6 +128,16 @@ fn rng_between(any: &mut impl FnMut() -> DVec3) -> f64 {
 }
 
 #[test]
+fn a_triangle_as_thin_as_can_be_has_its_normal() {
+    // The plain cross product of these edges is zero.
+    let e = f64::from(2.0_f32.powi(-27));
+    let (b, c) = (dvec3(1.0 + e, 0.0, 1.0), dvec3(1.0 + 2.0 * e, 0.0, 1.0 + e));
+    assert_eq!(b.cross(c), DVec3::ZERO);
+    let triangle = Triangle::new(DVec3::ZERO, b, c).unwrap();
+    assert_eq!(triangle.normal.abs(), DVec3::Y);
+}
+
+#[test]
 fn corners_on_a_line_are_refused_and_never_hit() {
     let refused = Triangle::new(DVec3::ZERO, DVec3::X, 2.0 * DVec3::X).unwrap_err();
     assert_eq!(refused.refusals()[0].field, "c");

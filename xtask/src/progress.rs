@@ -10,7 +10,8 @@ impl Progress {
     pub(crate) fn start(doing: &'static str, total: usize) -> Self {
         let bar = ProgressBar::new(total as u64);
         if bar.is_hidden() {
-            eprintln!("{doing} {total} fixtures");
+            let s = if total == 1 { "" } else { "s" };
+            eprintln!("{doing} {total} fixture{s}");
         }
         let template = "{prefix} [{bar:40}] {pos}/{len} {wide_msg}";
         let style =
