@@ -234,6 +234,9 @@ fn what_belongs_to_the_suite_is_not_written_over() {
     tree.run(&["check", "--json", "fixtures/a.ron"]).expect_code(2).expect(outside);
     tree.run(&["check", "--json", "golden/new/a.json"]).expect_code(2).expect(outside);
     tree.run(&["render", "a", "--out", "golden/a.png"]).expect_code(2).expect(outside);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+    command.args(["check", "--json", "new/a.json"]).current_dir(tree.path("fixtures"));
+    Ran(command.output().unwrap()).expect_code(2).expect(outside);
     fs::create_dir(tree.path("folder")).unwrap();
     tree.run(&["check", "--json", "folder"]).expect_code(2).expect("is no file");
     tree.run(&["check"]).expect_code(0);

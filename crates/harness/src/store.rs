@@ -6,7 +6,7 @@
 
 use std::fs;
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use scene::{Assets, MAX_ASSET_BYTES};
 use tempfile::NamedTempFile;
@@ -124,24 +124,46 @@ const ARTIFACTS_MARK: (&str, &[u8]) = (
 /// A folder with something in it that this function did not make, and whatever
 /// keeps it from being emptied.
 pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
+    let failed = |path: &Path, error: &std::io::Error| match error.kind() {
+        // Another check on the same folder was faster.
+        std::io::ErrorKind::NotFound => Ok(()),
+        _ => Err(StoreError::io(path, error)),
+    };
+    let entries = match fs::read_dir(path) {
+        Ok(entries) => entries.filter_map(Result::ok).map(|entry| entry.path()).collect(),
+        Err(error) => failed(path, &error).map(|()| Vec::new())?,
+    };
     let mark = path.join(ARTIFACTS_MARK.0);
-    match fs::read_dir(path).map(|mut entries| entries.next().is_none()) {
-        Ok(is_empty) if !is_empty && !mark.exists() => {
-            let what = "is in the way of the artifacts and was not made by goldray: move it";
-            return Err(StoreError::new(path, what));
-        }
-        Ok(_) => fs::remove_dir_all(path).map_err(|error| StoreError::io(path, &error))?,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
-        Err(error) => return Err(StoreError::io(path, &error)),
+    if !entries.is_empty() && !entries.contains(&mark) {
+        let what = "is in the way of the artifacts and was not made by goldray: move it";
+        return Err(StoreError::new(path, what));
     }
-    write(&mark, ARTIFACTS_MARK.1)
+    // The mark comes first and stays, so that a run cut short leaves a folder
+    // that the next one knows.
+    write(&mark, ARTIFACTS_MARK.1)?;
+    for entry in entries.iter().filter(|entry| **entry != mark) {
+        let is_folder = fs::symlink_metadata(entry).is_ok_and(|found| found.is_dir());
+        let removed = if is_folder { fs::remove_dir_all(entry) } else { fs::remove_file(entry) };
+        removed.or_else(|error| failed(entry, &error))?;
+    }
+    Ok(())
 }
 
-/// Whether `path` lies in `folder`, by what they really are.
+/// Whether `path`, which need not be there, lies in `folder`, by what both
+/// really are.
 pub fn is_inside(path: &Path, folder: &Path) -> bool {
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
-    let parent = parent.unwrap_or(Path::new("."));
-    let really = parent.ancestors().find_map(|folder| folder.canonicalize().ok());
+    let Ok(path) = std::path::absolute(path) else { return false };
+    // A folder that is not there yet has no links to go through.
+    let plain = path.components().fold(PathBuf::new(), |mut plain, part| {
+        if part == Component::ParentDir {
+            plain.pop();
+        } else {
+            plain.push(part);
+        }
+        plain
+    });
+    let parent = plain.parent().unwrap_or(&plain);
+    let really = parent.ancestors().find_map(|there| there.canonicalize().ok());
     really.zip(folder.canonicalize().ok()).is_some_and(|(path, folder)| path.starts_with(folder))
 }
 
@@ -278,10 +300,24 @@ mod tests {
         write(&artifacts.join("a.png"), b"1").unwrap();
         empty_artifacts(&artifacts).unwrap();
         assert!(!is_file(&artifacts.join("a.png")));
+        assert!(is_file(&artifacts.join(ARTIFACTS_MARK.0)), "the mark of a run cut short");
         let theirs = folder.path().join("theirs");
         write(&theirs.join("a.png"), b"1").unwrap();
         assert!(empty_artifacts(&theirs).is_err());
         assert!(is_file(&theirs.join("a.png")));
+    }
+
+    #[test]
+    fn what_is_inside_is_told_before_it_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let golden = folder.path().join("golden");
+        write(&golden.join("a.png"), b"").unwrap();
+        for inside in ["golden/a.png", "golden/new/deep/b.png", "new/../golden/b.png"] {
+            assert!(is_inside(&folder.path().join(inside), &golden), "{inside}");
+        }
+        for outside in ["a.png", "new/a.png", "golden/../a.png", "golden.png"] {
+            assert!(!is_inside(&folder.path().join(outside), &golden), "{outside}");
+        }
     }
 
     #[test]

@@ -137,11 +137,12 @@ impl Camera {
             ),
             length("aspect", aspect),
         ])?;
-        let Some(w) = direction("at", eye - at).map_or_else(|| UnitVec::new(eye - at), |_| None)
-        else {
-            let expected = "a point other than `eye`".to_owned();
-            return Err(Refusal { field: "at", expected, found: show(at) }.into());
-        };
+        let long_enough = direction("at", eye - at).is_none();
+        let w = UnitVec::new(eye - at).filter(|_| long_enough).ok_or_else(|| Refusal {
+            field: "at",
+            expected: "a point other than `eye`".to_owned(),
+            found: show(at),
+        })?;
         Refused::unless([refuse_unless(
             to_the_right(up, w).is_some(),
             "up",

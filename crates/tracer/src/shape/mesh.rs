@@ -120,7 +120,8 @@ impl Geometry for Mesh {
 
     fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
         let corners = self.corners(contact.part);
-        // A triangle that was hit has an area; its normal may still underflow.
+        // A triangle that was hit has an area, and so a normal; the axis is for
+        // the compiler.
         let normal = triangle::normal(corners).unwrap_or(UnitVec::Z);
         SurfacePoint {
             shading_normal: self.interpolated_normal(contact).unwrap_or(normal),
