@@ -56,6 +56,8 @@ enum Verb {
     ContactSheet(verb::contact_sheet::Args),
     /// Make the meshes that the fixtures use
     Meshes,
+    /// Hold the tracer's answers against the exact oracle
+    Stress(verb::stress::Args),
 }
 
 /// How a verb ended.
@@ -94,6 +96,7 @@ fn main() -> ExitCode {
         Verb::Compare(args) => verb::compare::run(&args),
         Verb::ContactSheet(args) => verb::contact_sheet::run(&here, &args),
         Verb::Meshes => verb::meshes::run(&here),
+        Verb::Stress(args) => verb::stress::run(&here, &args),
     };
     match answer {
         Ok(Answer::Yes) => ExitCode::SUCCESS,

@@ -21,6 +21,25 @@ impl Progress {
         Self(bar)
     }
 
+    /// Starts counting the cases of a stress run.
+    pub(crate) fn of_cases(total: u64) -> Self {
+        let bar = ProgressBar::new(total);
+        if bar.is_hidden() {
+            eprintln!("stressing with {total} cases");
+        }
+        let template = "stressing [{bar:40}] {percent}% {elapsed}, {eta} to go {wide_msg}";
+        let style =
+            ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        bar.set_style(style.progress_chars("=> "));
+        Self(bar)
+    }
+
+    /// So many are done, the last of them in this.
+    pub(crate) fn reach(&self, done: u64, last: &str) {
+        self.0.set_message(last.to_owned());
+        self.0.set_position(done);
+    }
+
     /// One more is done, the last of them being this.
     pub(crate) fn advance(&self, last: &str) {
         self.0.set_message(last.to_owned());

@@ -14,6 +14,7 @@ pub mod bless;
 pub mod check;
 pub mod encode;
 pub mod expectation;
+pub mod filter;
 pub mod fixture;
 pub mod golden;
 pub mod judge;

@@ -57,6 +57,16 @@ pub fn read(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>, StoreError> 
     Ok(Some(bytes))
 }
 
+/// A hash of the program that runs, which another build of it has not.
+///
+/// # Errors
+/// A program that cannot be read.
+pub fn program_hash() -> Result<String, StoreError> {
+    let path = std::env::current_exe().map_err(|error| StoreError::io(Path::new("."), &error))?;
+    let bytes = fs::read(&path).map_err(|error| StoreError::io(&path, &error))?;
+    Ok(blake3::hash(&bytes).to_hex().to_string())
+}
+
 /// Writes the file whole or not at all, with the folders it needs.
 ///
 /// # Errors

@@ -4,8 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use wildmatch::WildMatch;
-
+use crate::filter::{self, FilterError};
 use crate::store::{self, StoreError};
 
 /// A folder with `fixtures/` and `golden/` in it.
@@ -32,25 +31,12 @@ pub enum SuiteError {
     /// There is nothing in it.
     #[error("{}: expected at least one fixture (*.ron), found none", .0.display())]
     Empty(PathBuf),
-    /// A filter that is about nothing.
-    #[error("the filter \"{filter}\" selects nothing{}", hint(.nearest.as_deref()))]
-    SelectsNothing {
-        /// The filter.
-        filter: String,
-        /// The name most like it.
-        nearest: Option<String>,
-    },
-    /// A filter that would select everything by accident.
-    #[error("an empty filter selects nothing: leave it out to select everything")]
-    EmptyFilter,
+    /// A filter that selects nothing.
+    #[error(transparent)]
+    Filter(#[from] FilterError),
     /// A folder that cannot be read.
     #[error(transparent)]
     Store(#[from] StoreError),
-}
-
-fn hint(name: Option<&str>) -> String {
-    let list = "; `cargo xtask list` shows all names";
-    name.map_or(list.to_owned(), |name| format!("; did you mean \"{name}\"?"))
 }
 
 impl Suite {
@@ -114,26 +100,8 @@ impl Suite {
             return Err(SuiteError::Empty(self.root.join("fixtures")));
         }
         let known: BTreeSet<_> = fixtures.iter().chain(&goldens).cloned().collect();
-        let mut selected = BTreeSet::new();
-        for filter in filters {
-            if filter.is_empty() {
-                return Err(SuiteError::EmptyFilter);
-            }
-            let filter = name_of(filter);
-            let matching: Vec<_> = if known.contains(filter) {
-                vec![filter.to_owned()]
-            } else {
-                known.iter().filter(|name| selects(filter, name)).cloned().collect()
-            };
-            if matching.is_empty() {
-                return Err(SuiteError::SelectsNothing {
-                    filter: filter.to_owned(),
-                    nearest: scene::nearest(filter, known.iter().map(String::as_str))
-                        .map(str::to_owned),
-                });
-            }
-            selected.extend(matching);
-        }
+        let written: Vec<_> = filters.iter().map(|filter| name_of(filter)).collect();
+        let selected = filter::select(&known, &written, "cargo xtask list")?;
         let is_selected = |name: &String| filters.is_empty() || selected.contains(name);
         let has_fixture: BTreeSet<_> = fixtures.iter().collect();
         Ok(Selection {
@@ -152,14 +120,6 @@ pub fn name_of(path: &str) -> &str {
     let path = path.strip_prefix("./").unwrap_or(path);
     let path = path.strip_prefix("fixtures/").unwrap_or(path);
     path.strip_suffix(".ron").unwrap_or(path)
-}
-
-fn selects(filter: &str, name: &str) -> bool {
-    if filter.contains(['*', '?']) {
-        WildMatch::new(filter).matches(name)
-    } else {
-        name.contains(filter)
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! `Group`: surfaces under one transform, and the closest hit among them.
 
 use crate::accel::{Accelerator, Build};
-use crate::shape::{Geometry, Shape};
+use crate::shape::{Departure, Geometry, Shape};
 use crate::{Aabb, Hit, Interval, Material, ObjectId, Ray, Transform};
 
 /// A shape with what it is made of.
@@ -13,13 +13,16 @@ pub struct Object {
 }
 
 impl Object {
-    /// An object; its number is given by the scene it joins.
+    /// An object; its number is given by the outermost group around it.
     pub fn new(shape: Shape, material: Material) -> Self {
         Self { shape, material, id: ObjectId::default() }
     }
 
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
-        let contact = self.shape.intersect(ray, range)?;
+        let contact = match self.departure(ray) {
+            None => self.shape.intersect(ray, range),
+            Some(from) => self.shape.intersect_leaving(ray, range, from),
+        }?;
         let surface = self.shape.surface(ray, &contact);
         Some(Hit {
             t: contact.t,
@@ -29,7 +32,20 @@ impl Object {
             shading_normal: surface.shading_normal,
             material: self.material,
             object: self.id,
+            part: contact.part,
         })
+    }
+
+    fn occludes(&self, ray: &Ray, range: Interval) -> bool {
+        match self.departure(ray) {
+            None => self.shape.occludes(ray, range),
+            Some(from) => self.shape.occludes_leaving(ray, range, from),
+        }
+    }
+
+    /// From where the ray leaves this object, if it does.
+    fn departure(&self, ray: &Ray) -> Option<Departure> {
+        ray.leaving.filter(|(object, _)| *object == self.id).map(|(_, from)| from)
     }
 }
 
@@ -66,7 +82,7 @@ impl Member {
 
     fn occludes(&self, ray: &Ray, range: Interval) -> bool {
         match self {
-            Self::Object(object) => object.shape.occludes(ray, range),
+            Self::Object(object) => object.occludes(ray, range),
             Self::Group(group) => group.occludes(ray, range),
         }
     }
@@ -93,13 +109,15 @@ impl Group {
         let inside = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let inner = members.iter().map(Member::rounding).fold(1.0, f64::max);
         let outer = if transform.is_identity() { 1.0 } else { transform.condition() };
-        Self {
+        let mut group = Self {
             transform: (!transform.is_identity()).then_some(transform),
             accelerator: Accelerator::build(build, &boxes, inner),
             rounding: outer * inner,
             bounds: transform.bounds(&inside),
             members,
-        }
+        };
+        group.number(0);
+        group
     }
 
     /// The outermost group of a scene: no transform, the default accelerator.
@@ -145,8 +163,9 @@ impl Group {
     }
 
     /// Numbers the objects from `next` on, in order, groups opened in place;
-    /// returns the number after the last.
-    pub(crate) fn number(&mut self, mut next: u32) -> u32 {
+    /// returns the number after the last. A group starts at 0, until another
+    /// one takes it in.
+    fn number(&mut self, mut next: u32) -> u32 {
         for member in &mut self.members {
             match member {
                 Member::Object(object) => {

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::shape::Departure;
 use crate::{Material, Ray, UnitVec, accel};
 
 /// The number of an object in its scene, in the order of the scene's
@@ -29,27 +30,33 @@ pub struct Hit {
     pub material: Material,
     /// Which object was hit.
     pub object: ObjectId,
+    /// Which part of its shape; see [`crate::shape::Contact::part`].
+    pub part: u32,
 }
 
 impl Hit {
-    /// The origin for a ray that leaves this point along `direction`: moved
-    /// off the surface to the side it leaves on, by twice the point's error
-    /// bound and no fixed distance.
-    pub fn leaving_origin(&self, direction: DVec3) -> DVec3 {
-        let n = *self.geometric_normal;
-        let side = if n.dot(direction) < 0.0 { -1.0 } else { 1.0 };
-        self.point + n * (side * 2.0 * self.point_error)
-    }
-
     /// The ray that leaves this point along `direction`.
+    ///
+    /// Its origin is moved off the surface, to the side it leaves on, by twice
+    /// the point's error bound and no fixed distance; and it knows which
+    /// surface it leaves, so that no rounding makes it meet that at once.
     pub fn leaving(&self, direction: DVec3) -> Ray {
-        Ray::new(self.leaving_origin(direction), direction)
+        self.leave(direction, |_| direction)
     }
 
     /// The ray that leaves this point and reaches `target` at `t = 1`.
     pub fn leaving_to(&self, target: DVec3) -> Ray {
-        let origin = self.leaving_origin(target - self.point);
-        Ray::new(origin, target - origin)
+        self.leave(target - self.point, |origin| target - origin)
+    }
+
+    fn leave(&self, towards: DVec3, direction: impl FnOnce(DVec3) -> DVec3) -> Ray {
+        let n = *self.geometric_normal;
+        // A direction along the surface is outward.
+        let outward = !(n.dot(towards) < 0.0);
+        let side = if outward { 1.0 } else { -1.0 };
+        let origin = self.point + n * (side * 2.0 * self.point_error);
+        let departure = Departure { part: self.part, outward };
+        Ray { origin, direction: direction(origin), leaving: Some((self.object, departure)) }
     }
 }
 

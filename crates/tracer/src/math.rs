@@ -6,6 +6,8 @@
 
 use glam::DVec3;
 
+use crate::Ray;
+
 /// Half the distance from 1 to the next `f64`: the largest relative error of
 /// one rounding.
 pub(crate) const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -20,6 +22,80 @@ pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let cd = c * d;
     let error = (-c).mul_add(d, cd);
     a.mul_add(b, -cd) + error
+}
+
+/// `a + b` as a rounded sum and what the rounding left out; exact together.
+///
+/// Source: Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_seen = sum - a;
+    (sum, (a - (sum - b_seen)) + (b - b_seen))
+}
+
+/// `a b` as a rounded product and what the rounding left out; exact together,
+/// short of underflow.
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    (product, a.mul_add(b, -product))
+}
+
+/// `a . b` as if computed with twice the digits and rounded once, so that
+/// nothing is lost where the products cancel.
+///
+/// Source: Ogita, Rump, Oishi, "Accurate Sum and Dot Product", 2005 (`Dot2`).
+pub(crate) fn dot(a: DVec3, b: DVec3) -> f64 {
+    let (sum, rest) = dot_unrounded(a, b);
+    sum + rest
+}
+
+/// `(a - b) . c` like [`dot`], the difference unrounded.
+pub(crate) fn dot_of_difference(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (x, x_rest) = two_sum(a.x, -b.x);
+    let (y, y_rest) = two_sum(a.y, -b.y);
+    let (z, z_rest) = two_sum(a.z, -b.z);
+    let (sum, rest) = dot_unrounded(DVec3::new(x, y, z), c);
+    sum + (rest + DVec3::new(x_rest, y_rest, z_rest).dot(c))
+}
+
+/// `a . b` as a sum and what its rounding left out, but for a few roundings of
+/// the latter.
+fn dot_unrounded(a: DVec3, b: DVec3) -> (f64, f64) {
+    let (x, x_rest) = two_product(a.x, b.x);
+    let (y, y_rest) = two_product(a.y, b.y);
+    let (z, z_rest) = two_product(a.z, b.z);
+    let (xy, xy_rest) = two_sum(x, y);
+    let (xyz, xyz_rest) = two_sum(xy, z);
+    (xyz, (x_rest + y_rest) + (z_rest + (xy_rest + xyz_rest)))
+}
+
+/// `a x b`, each component with the accuracy and the sign of
+/// [`difference_of_products`].
+pub(crate) fn cross(a: DVec3, b: DVec3) -> DVec3 {
+    DVec3::new(
+        difference_of_products(a.y, b.z, b.y, a.z),
+        difference_of_products(a.z, b.x, b.z, a.x),
+        difference_of_products(a.x, b.y, b.x, a.y),
+    )
+}
+
+/// `r(t) - center`, each component rounded once although the terms cancel:
+/// what a curved shape needs to be met as exactly from far away as from near.
+pub(crate) fn offset_at(ray: &Ray, t: f64, center: DVec3) -> DVec3 {
+    let axis = |k: usize| {
+        let (way, way_rest) = two_product(t, ray.direction[k]);
+        let (from_center, from_center_rest) = two_sum(ray.origin[k], -center[k]);
+        let (sum, sum_rest) = two_sum(from_center, way);
+        sum + (sum_rest + (from_center_rest + way_rest))
+    };
+    DVec3::new(axis(0), axis(1), axis(2))
+}
+
+/// The largest power of two that is not above `x`; `None` unless `x` is a
+/// normal number above 0.
+pub(crate) fn power_of_two_below(x: f64) -> Option<f64> {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    (x.is_normal() && x > 0.0).then(|| f64::from_bits(x.to_bits() & EXPONENT))
 }
 
 /// `x^y`, correct to below one unit in the last place.
@@ -61,6 +137,32 @@ mod tests {
         let c = 1.0 + f64::from(2.0_f32.powi(-26));
         assert_eq!(a * a - c * 1.0, 0.0);
         assert_eq!(difference_of_products(a, a, c, 1.0), 5.551_115_123_125_783e-17);
+    }
+
+    #[test]
+    fn sums_and_products_come_with_what_they_lost() {
+        assert_eq!(two_sum(1.0, 1e-20), (1.0, 1e-20));
+        assert_eq!(two_sum(1e-20, 1.0), (1.0, 1e-20));
+        let x = 1.0 + f64::EPSILON;
+        assert_eq!(two_product(x, x), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+    }
+
+    #[test]
+    fn a_dot_product_keeps_what_cancels() {
+        let (a, b) = (DVec3::new(1e16, 1.0, -1e16), DVec3::new(1.0, 0.5, 1.0));
+        assert_eq!(a.dot(b), 0.0);
+        assert_eq!(dot(a, b), 0.5);
+        // 1e16 + 1.5 is no number: the difference is rounded only at the end.
+        let (a, b) = (DVec3::splat(1e16), DVec3::new(-1.5, 0.0, 0.0));
+        assert_eq!(dot_of_difference(a, b, DVec3::new(1.0, -1.0, 0.0)), 1.5);
+    }
+
+    #[test]
+    fn an_offset_from_far_away_is_rounded_once() {
+        // 3 x 1e16/3 is off by 1 from 1e16, which the plain form loses.
+        let ray = Ray::new(DVec3::splat(-1e16 - 2.0), DVec3::splat(1e16 / 3.0));
+        let exact = 3.0_f64.mul_add(1e16 / 3.0, -1e16) - 2.0 - 0.25;
+        assert_eq!(offset_at(&ray, 3.0, DVec3::splat(0.25)), DVec3::splat(exact));
     }
 
     #[test]

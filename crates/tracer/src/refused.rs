@@ -96,33 +96,35 @@ pub(crate) fn number(x: f64) -> String {
 
 /// A point: three finite coordinates.
 pub(crate) fn point(field: &'static str, p: DVec3) -> Option<Refusal> {
-    refuse_unless(
-        p.to_array().into_iter().all(is_coordinate),
+    let accepted = p.to_array().into_iter().all(is_coordinate);
+    (!accepted).then(|| Refusal {
         field,
-        format!("three finite numbers of at most {MAX_LENGTH:e}"),
-        || show(p),
-    )
+        expected: format!("three finite numbers of at most {MAX_LENGTH:e}"),
+        found: show(p),
+    })
 }
 
 /// A direction: finite and not zero.
 pub(crate) fn direction(field: &'static str, d: DVec3) -> Option<Refusal> {
     let length = max_abs_of(d);
-    refuse_unless(
-        d.is_finite() && (MIN_LENGTH..=MAX_LENGTH).contains(&length),
+    let accepted = d.is_finite() && (MIN_LENGTH..=MAX_LENGTH).contains(&length);
+    (!accepted).then(|| Refusal {
         field,
-        format!("a direction, three numbers of at most {MAX_LENGTH:e} that are not all zero"),
-        || show(d),
-    )
+        expected: format!(
+            "a direction, three numbers of at most {MAX_LENGTH:e} that are not all zero"
+        ),
+        found: show(d),
+    })
 }
 
 /// A length above zero.
 pub(crate) fn length(field: &'static str, x: f64) -> Option<Refusal> {
-    refuse_unless(
-        (MIN_LENGTH..=MAX_LENGTH).contains(&x),
+    let accepted = (MIN_LENGTH..=MAX_LENGTH).contains(&x);
+    (!accepted).then(|| Refusal {
         field,
-        format!("a finite number above 0 (from {MIN_LENGTH:e} to {MAX_LENGTH:e})"),
-        || number(x),
-    )
+        expected: format!("a finite number above 0 (from {MIN_LENGTH:e} to {MAX_LENGTH:e})"),
+        found: number(x),
+    })
 }
 
 /// A number of zero or more.

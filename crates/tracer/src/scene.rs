@@ -46,14 +46,14 @@ impl Scene {
     /// pixel.
     pub const MAX_SAMPLES: u64 = 1 << 32;
 
-    /// The scene of these parts; numbers its objects.
+    /// The scene of these parts.
     ///
     /// # Errors
     /// Refuses (as `image`, `samples_per_pixel`) a picture without pixels or with
     /// absurdly many of them or of samples, (as
     /// `background`, `exposure`) numbers that are negative or not finite, and
     /// (as `show`) a depth range that is not one.
-    pub fn new(mut parts: SceneParts) -> Result<Self, Refused> {
+    pub fn new(parts: SceneParts) -> Result<Self, Refused> {
         let Size { width, height } = parts.size;
         let samples = parts.samples.samples_per_pixel();
         let sides = 1..=Self::MAX_SIDE;
@@ -87,7 +87,6 @@ impl Scene {
                 format!("{:?}", parts.show)
             }),
         ])?;
-        parts.world.number(0);
         Ok(Self(parts))
     }
 

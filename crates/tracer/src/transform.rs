@@ -117,10 +117,11 @@ impl Transform {
     /// The parent's ray, seen from the object. `t` keeps its meaning.
     pub fn object_from_parent(&self, ray: &Ray) -> Ray {
         let inverse = self.linear_object_from_parent;
-        Ray::new(
-            inverse * (ray.origin - self.parent_from_object.translation),
-            inverse * ray.direction,
-        )
+        Ray {
+            origin: inverse * (ray.origin - self.parent_from_object.translation),
+            direction: inverse * ray.direction,
+            leaving: ray.leaving,
+        }
     }
 
     /// The object's hit, seen from the parent.
@@ -152,9 +153,9 @@ impl Transform {
     /// inverse rounds in proportion to its own size, and going out stretches
     /// that: together the condition of the map.
     fn rounding(&self, size: f64) -> f64 {
-        /// Products and sums of two matrices and a composition, each off by
-        /// one rounding, with room to spare.
-        const ROUNDINGS: f64 = 32.0;
+        /// Four to go out, eight to come in again by an inverse that was
+        /// composed as the map was, and room to spare.
+        const ROUNDINGS: f64 = 16.0;
         let translation = max_abs(self.parent_from_object.translation);
         ROUNDINGS * UNIT_ROUNDOFF * (self.condition() * self.stretch() * size + translation)
     }

@@ -8,3 +8,4 @@ pub(crate) mod list;
 pub(crate) mod meshes;
 pub(crate) mod new;
 pub(crate) mod render;
+pub(crate) mod stress;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use tracer::Refused;
 use tracer::glam::DVec3;
-use tracer::shape::{AxisBox, Disk, Plane, Shape, Sphere, Triangle};
+use tracer::shape::{AxisBox, Cone, Cylinder, Disk, Plane, Shape, Sphere, Torus, Triangle};
 
 use super::{Material, Triple, is_default};
 
@@ -66,6 +66,50 @@ pub enum Object {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         material: Option<Material>,
     },
+    /// See [`tracer::shape::Torus`].
+    Torus {
+        /// Its center.
+        center: Triple,
+        /// The axis that it goes around, of any length.
+        axis: Triple,
+        /// From the center to the middle of the tube.
+        major_radius: f64,
+        /// The tube's own radius, at most the major one.
+        minor_radius: f64,
+        /// What it is made of.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        material: Option<Material>,
+    },
+    /// See [`tracer::shape::Cylinder`].
+    Cylinder {
+        /// Where its axis starts.
+        a: Triple,
+        /// Where its axis ends.
+        b: Triple,
+        /// Its radius.
+        radius: f64,
+        /// Whether it is a tube, without the caps.
+        #[serde(default, skip_serializing_if = "is_default")]
+        open: bool,
+        /// What it is made of.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        material: Option<Material>,
+    },
+    /// See [`tracer::shape::Cone`].
+    Cone {
+        /// Its tip.
+        apex: Triple,
+        /// The center of its base.
+        base: Triple,
+        /// The radius of its base.
+        radius: f64,
+        /// Whether it is a funnel, without the base.
+        #[serde(default, skip_serializing_if = "is_default")]
+        open: bool,
+        /// What it is made of.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        material: Option<Material>,
+    },
     /// A mesh from an OBJ or PLY file; see [`tracer::shape::Mesh`].
     Mesh {
         /// The file, in the scene's own folder or below it.
@@ -99,6 +143,9 @@ impl Object {
             | Self::Box { material, .. }
             | Self::Plane { material, .. }
             | Self::Disk { material, .. }
+            | Self::Cylinder { material, .. }
+            | Self::Cone { material, .. }
+            | Self::Torus { material, .. }
             | Self::Mesh { material, .. }
             | Self::Group { material, .. } => material.as_ref(),
         }
@@ -121,6 +168,15 @@ impl Object {
             }
             Self::Disk { center, normal, radius, .. } => {
                 Disk::new(point(center), point(normal), radius).map(Shape::from)
+            }
+            Self::Torus { center, axis, major_radius, minor_radius, .. } => {
+                Torus::new(point(center), point(axis), major_radius, minor_radius).map(Shape::from)
+            }
+            Self::Cylinder { a, b, radius, open, .. } => {
+                Cylinder::new(point(a), point(b), radius, !open).map(Shape::from)
+            }
+            Self::Cone { apex, base, radius, open, .. } => {
+                Cone::new(point(apex), point(base), radius, !open).map(Shape::from)
             }
             Self::Mesh { .. } | Self::Group { .. } => return None,
         })

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Contact, Geometry, SurfacePoint};
+use super::{Contact, Departure, Geometry, SurfacePoint};
 use crate::lecture::ray_slab;
 use crate::math::{UNIT_ROUNDOFF, max_abs};
 use crate::refused::{point, refuse_unless, show};
@@ -63,13 +63,12 @@ impl AxisBox {
             }
         }
         let slack = 8.0 * UNIT_ROUNDOFF * enter.abs().max(leave.abs());
-        // An infinite slack belongs to a zero direction, which hits nothing.
-        (enter <= leave + slack && slack.is_finite()).then_some(Crossing {
-            enter,
-            leave,
-            enter_axis,
-            leave_axis,
-        })
+        let met = enter <= leave + slack;
+        // An infinite slack belongs to a zero direction, which hits nothing. On
+        // a line through an edge the way inside has no length, not less.
+        let leave = leave.max(enter);
+        let is_met = met && slack.is_finite() && ray.direction.is_finite();
+        is_met.then_some(Crossing { enter, leave, enter_axis, leave_axis })
     }
 }
 
@@ -98,6 +97,18 @@ impl Geometry for AxisBox {
         } else {
             None
         }
+    }
+
+    /// Outward nothing is met again; inward only the side where the ray leaves,
+    /// unless the box is flat there.
+    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
+        let axis = from.part as usize / 2;
+        if from.outward || self.min[axis] == self.max[axis] {
+            return None;
+        }
+        let Crossing { leave, leave_axis: axis, .. } = self.crossing(ray)?;
+        let part = face(axis, ray.direction[axis] > 0.0);
+        range.contains(leave).then_some(Contact { t: leave, part, barycentric: [0.0; 2] })
     }
 
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {

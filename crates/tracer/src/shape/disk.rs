@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Contact, Geometry, Plane, SurfacePoint};
+use super::{Contact, Departure, Geometry, Plane, SurfacePoint};
+use crate::math::offset_at;
 use crate::refused::{direction, length, point};
 use crate::{Aabb, Interval, Ray, Refused};
 
@@ -41,9 +42,14 @@ impl Geometry for Disk {
 
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
         let t = self.plane.t(ray);
-        let from_center = (ray.origin - self.center) + t * ray.direction;
+        let from_center = offset_at(ray, t, self.center);
         let inside = from_center.length_squared() <= self.radius * self.radius;
         (inside && range.contains(t)).then_some(Contact::at(t))
+    }
+
+    /// A flat surface is left for good.
+    fn intersect_leaving(&self, _: &Ray, _: Interval, _: Departure) -> Option<Contact> {
+        None
     }
 
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {

@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::triangle::{self, Shear};
-use super::{Contact, Geometry, SurfacePoint};
+use super::{Contact, Departure, Geometry, SurfacePoint};
 use crate::accel::{Accelerator, Build};
 use crate::refused::{point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -20,6 +20,12 @@ pub struct MeshNormals {
 
 /// A mesh of triangles. One without an area is kept among others, so that
 /// numbers stay the file's, and is never hit.
+///
+/// A ray through an edge or a corner that triangles share hits exactly one of
+/// those that cover it together: of a closed mesh every ray from inside hits
+/// one, and a line crosses its surface an even number of times. At the rim of
+/// an open mesh, and where a closed one turns away from the ray, a ray exactly
+/// through the edge hits or misses as one right beside it does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     vertices: Vec<DVec3>,
@@ -39,7 +45,7 @@ impl Mesh {
     /// triangles.
     pub fn new(
         vertices: Vec<DVec3>,
-        faces: Vec<[u32; 3]>,
+        mut faces: Vec<[u32; 3]>,
         normals: Option<MeshNormals>,
         build: Build,
     ) -> Result<Self, Refused> {
@@ -80,6 +86,13 @@ impl Mesh {
             "at least one triangle with an area",
             || format!("{} without", faces.len()),
         )])?;
+        // Drawn into one of its corners, a triangle without an area cannot be
+        // opened by the rounding of a ray's shear.
+        for face in &mut faces {
+            if triangle::normal(corners(face)).is_none() {
+                *face = [face[0]; 3];
+            }
+        }
         let boxes: Vec<_> = faces.iter().map(|f| triangle::bounds(corners(f))).collect();
         let bounds = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let accelerator = Accelerator::build(build, &boxes, 1.0);
@@ -89,6 +102,31 @@ impl Mesh {
     /// How many triangles it has.
     pub fn triangle_count(&self) -> usize {
         self.faces.len()
+    }
+
+    /// How many of its triangles the ray crosses inside `range`, near and far:
+    /// odd for a ray from inside a closed mesh, even from outside.
+    pub fn crossings(&self, ray: &Ray, range: Interval) -> u32 {
+        let shear = Shear::new(ray);
+        let mut count = 0;
+        self.accelerator.any(ray, range, |i| {
+            count += u32::from(shear.intersect(self.corners(i), range).is_some());
+            false
+        });
+        count
+    }
+
+    fn closest(&self, ray: &Ray, range: Interval, counts: impl Fn(u32) -> bool) -> Option<Contact> {
+        let shear = Shear::new(ray);
+        let test = |i, range| shear.intersect(self.corners(i), range).filter(|_| counts(i));
+        let (part, contact) = self.accelerator.closest(ray, range, test)?;
+        Some(Contact { part, ..contact })
+    }
+
+    fn any(&self, ray: &Ray, range: Interval, counts: impl Fn(u32) -> bool) -> bool {
+        let shear = Shear::new(ray);
+        let test = |i| counts(i) && shear.intersect(self.corners(i), range).is_some();
+        self.accelerator.any(ray, range, test)
     }
 
     fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -112,10 +150,12 @@ impl Geometry for Mesh {
     }
 
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
-        let shear = Shear::new(ray);
-        self.accelerator
-            .closest(ray, range, |i, range| shear.intersect(self.corners(i), range))
-            .map(|(part, contact)| Contact { part, ..contact })
+        self.closest(ray, range, |_| true)
+    }
+
+    /// The triangle that the ray leaves is left for good.
+    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
+        self.closest(ray, range, |i| i != from.part)
     }
 
     fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
@@ -130,8 +170,11 @@ impl Geometry for Mesh {
     }
 
     fn occludes(&self, ray: &Ray, range: Interval) -> bool {
-        let shear = Shear::new(ray);
-        self.accelerator.any(ray, range, |i| shear.intersect(self.corners(i), range).is_some())
+        self.any(ray, range, |_| true)
+    }
+
+    fn occludes_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> bool {
+        self.any(ray, range, |i| i != from.part)
     }
 }
 

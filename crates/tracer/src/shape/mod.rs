@@ -4,18 +4,25 @@
 //! `shapes!` below, its variant to the scene format, and a fixture. The
 //! properties of `tests/properties.rs` then need one line to cover it.
 
+mod axial;
 mod axis_box;
+mod cone;
+mod cylinder;
 mod disk;
 mod mesh;
 mod plane;
 mod sphere;
+mod torus;
 mod triangle;
 
 pub use axis_box::AxisBox;
+pub use cone::Cone;
+pub use cylinder::Cylinder;
 pub use disk::Disk;
 pub use mesh::{Mesh, MeshNormals};
 pub use plane::Plane;
 pub use sphere::Sphere;
+pub use torus::Torus;
 pub use triangle::Triangle;
 
 use glam::DVec3;
@@ -28,8 +35,8 @@ use crate::{Aabb, Interval, Ray, UnitVec, accel};
 pub struct Contact {
     /// The ray parameter.
     pub t: f64,
-    /// Which part of the shape: the face of a box, the triangle of a mesh;
-    /// 0 for shapes of one part.
+    /// Which part of the shape: the face of a box, the triangle of a mesh, the
+    /// side or a cap of a cylinder or cone; 0 for shapes of one part.
     pub part: u32,
     /// Weights `beta` and `gamma` of a triangle's second and third corner;
     /// 0 for other shapes.
@@ -47,6 +54,18 @@ impl accel::Candidate for Contact {
     fn t(&self) -> f64 {
         self.t
     }
+}
+
+/// From where on a shape a ray leaves it: its origin is there but for
+/// rounding, and a few roundings off the surface on the side that it leaves
+/// to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Departure {
+    /// The [`Contact::part`] that it leaves.
+    pub part: u32,
+    /// Whether it leaves to the side of the geometric normal, which of a
+    /// closed shape is the outside.
+    pub outward: bool,
 }
 
 /// The surface around a contact.
@@ -73,6 +92,15 @@ pub trait Geometry {
     /// its far side. NaN in a ray is a miss.
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact>;
 
+    /// As [`Geometry::intersect`], for a ray that is known to leave this
+    /// surface. Its start is then no contact, whatever the rounding; the
+    /// default makes nothing of it and leaves that to the start's distance
+    /// from the surface.
+    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
+        let _ = from;
+        self.intersect(ray, range)
+    }
+
     /// The surface at a contact that [`Geometry::intersect`] returned for this
     /// ray.
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint;
@@ -80,6 +108,11 @@ pub trait Geometry {
     /// Whether anything is hit inside `range`: what a shadow ray asks.
     fn occludes(&self, ray: &Ray, range: Interval) -> bool {
         self.intersect(ray, range).is_some()
+    }
+
+    /// As [`Geometry::occludes`], for a ray that leaves this surface.
+    fn occludes_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> bool {
+        self.intersect_leaving(ray, range, from).is_some()
     }
 }
 
@@ -99,11 +132,17 @@ macro_rules! shapes {
             fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
                 match self { $(Self::$name(shape) => shape.intersect(ray, range),)* }
             }
+            fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
+                match self { $(Self::$name(shape) => shape.intersect_leaving(ray, range, from),)* }
+            }
             fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
                 match self { $(Self::$name(shape) => shape.surface(ray, contact),)* }
             }
             fn occludes(&self, ray: &Ray, range: Interval) -> bool {
                 match self { $(Self::$name(shape) => shape.occludes(ray, range),)* }
+            }
+            fn occludes_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> bool {
+                match self { $(Self::$name(shape) => shape.occludes_leaving(ray, range, from),)* }
             }
         }
 
@@ -126,6 +165,12 @@ shapes! {
     Plane,
     /// A disk.
     Disk,
+    /// A cylinder.
+    Cylinder,
+    /// A cone.
+    Cone,
+    /// A torus.
+    Torus,
     /// A mesh of triangles.
     Mesh,
 }

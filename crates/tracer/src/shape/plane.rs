@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Contact, Geometry, SurfacePoint};
-use crate::math::{UNIT_ROUNDOFF, max_abs};
+use super::{Contact, Departure, Geometry, SurfacePoint};
+use crate::math::{UNIT_ROUNDOFF, dot, dot_of_difference, max_abs};
 use crate::refused::{direction, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
 
@@ -11,6 +11,8 @@ use crate::{Aabb, Interval, Ray, Refused, UnitVec};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     point: DVec3,
+    /// As it was given: rounding it to unit length would tilt the plane.
+    across: DVec3,
     normal: UnitVec,
 }
 
@@ -22,18 +24,23 @@ impl Plane {
     pub fn new(point_: DVec3, normal: DVec3) -> Result<Self, Refused> {
         Refused::unless([point("point", point_), direction("normal", normal)])?;
         // Checked above; the axis is never used.
-        Ok(Self { point: point_, normal: UnitVec::new(normal).unwrap_or(UnitVec::Z) })
+        Ok(Self {
+            point: point_,
+            across: normal,
+            normal: UnitVec::new(normal).unwrap_or(UnitVec::Z),
+        })
     }
 
-    /// Which `t` puts the ray on the plane: `t = (a - p).n / d.n`. Infinite or
-    /// NaN for a ray along the plane and NaN for an infinite direction, which
-    /// no interval contains.
+    /// Which `t` puts the ray on the plane: `t = (a - p).n / d.n`, where
+    /// neither product loses digits, however flat the ray. Infinite or NaN
+    /// for a ray along the plane and NaN for an infinite direction, which no
+    /// interval contains.
     pub(super) fn t(&self, ray: &Ray) -> f64 {
-        let approach = ray.direction.dot(*self.normal);
+        let approach = dot(ray.direction, self.across);
         if approach.is_infinite() {
             return f64::NAN;
         }
-        (self.point - ray.origin).dot(*self.normal) / approach
+        dot_of_difference(self.point, ray.origin, self.across) / approach
     }
 }
 
@@ -45,6 +52,11 @@ impl Geometry for Plane {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
         let t = self.t(ray);
         range.contains(t).then_some(Contact::at(t))
+    }
+
+    /// A flat surface is left for good.
+    fn intersect_leaving(&self, _: &Ray, _: Interval, _: Departure) -> Option<Contact> {
+        None
     }
 
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {

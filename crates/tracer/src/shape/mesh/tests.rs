@@ -24,17 +24,54 @@ fn down(x: f64, y: f64) -> Ray {
 }
 
 #[test]
-fn says_which_triangle_and_the_first_on_a_tie() {
+fn says_which_triangle_and_only_one_on_a_shared_edge() {
     for build in [Build::List, Build::Bvh] {
         let mesh = square(None, build);
         let part = |ray| mesh.intersect(&ray, Interval::AHEAD).map(|c| (c.t, c.part));
         assert_eq!(part(down(1.5, 0.5)), Some((3.0, 0)));
         assert_eq!(part(down(0.5, 1.5)), Some((3.0, 1)));
-        assert_eq!(part(down(1.0, 1.0)), Some((3.0, 0)), "the shared edge");
+        assert_eq!(part(down(1.0, 1.0)), Some((3.0, 1)), "the shared edge");
+        let crossings = |ray| mesh.crossings(&ray, Interval::AHEAD);
+        assert_eq!(crossings(down(1.0, 1.0)), 1);
+        assert_eq!(crossings(down(-0.1, 1.0)), 0);
         assert_eq!(part(down(-0.1, 1.0)), None);
         assert!(mesh.occludes(&down(1.0, 1.0), Interval::AHEAD));
         assert!(!mesh.occludes(&down(1.0, 1.0), Interval::new(0.0, 3.0)));
     }
+}
+
+#[test]
+fn a_closed_mesh_is_crossed_once_from_inside_through_every_edge_and_corner() {
+    // The octahedron, and rays from its middle through the corners, the
+    // middles of the edges and the middles of the faces.
+    let corners = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
+    let faces = (0..8_u32).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 3 * bit));
+    let faces: Vec<_> = faces.map(|[x, y, z]| [x, y + 1, z + 2]).collect();
+    for build in [Build::List, Build::Bvh] {
+        let mesh = Mesh::new(corners.to_vec(), faces.clone(), None, build).unwrap();
+        for (x, y, z) in (0..27).map(|k| (k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)) {
+            let ray = Ray::new(DVec3::ZERO, dvec3(f64::from(x), f64::from(y), f64::from(z)));
+            let expected = u32::from(ray.direction != DVec3::ZERO);
+            assert_eq!(mesh.crossings(&ray, Interval::AHEAD), expected, "{ray:?}");
+            assert_eq!(mesh.intersect(&ray, Interval::AHEAD).is_some(), expected == 1);
+            // From outside it goes in and out, or passes by.
+            let line = Ray::new(-3.0 * ray.direction, ray.direction);
+            assert_eq!(mesh.crossings(&line, Interval::AHEAD), 2 * expected, "{ray:?}");
+        }
+    }
+}
+
+#[test]
+fn a_ray_that_leaves_a_triangle_does_not_meet_it_again_but_meets_the_others() {
+    let mesh = square(None, Build::Bvh);
+    let ray = down(1.5, 0.5);
+    let leaving = |part| {
+        let from = Departure { part, outward: false };
+        let occluded = mesh.occludes_leaving(&ray, Interval::AHEAD, from);
+        (mesh.intersect_leaving(&ray, Interval::AHEAD, from).is_some(), occluded)
+    };
+    assert_eq!(leaving(0), (false, false));
+    assert_eq!(leaving(1), (true, true));
 }
 
 #[test]

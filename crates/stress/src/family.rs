@@ -1,0 +1,77 @@
+//! `Family`: one cell of the stress matrix, a kind of case for one primitive
+//! with the kernels that answer it and what they are held to.
+
+use crate::{Case, Metric, Random, Tally};
+
+/// How many cases a family runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Volume {
+    /// In a run of everything in under a minute.
+    pub quick: u64,
+    /// With `--full`.
+    pub full: u64,
+}
+
+/// One way of answering the cases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Kernel {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// Whether it is held to the targets; textbook kernels are only shown.
+    pub contract: bool,
+}
+
+impl Kernel {
+    /// What renders.
+    pub const GOLDRAY: Self = Self { name: "goldray", contract: true };
+
+    /// A formula that is shown beside it.
+    pub const fn textbook(name: &'static str) -> Self {
+        Self { name, contract: false }
+    }
+}
+
+/// Makes a case.
+pub type Generate = Box<dyn Fn(&mut Random) -> Case + Send + Sync>;
+
+/// Puts a case to every kernel and adds to the tally of each, in the order of
+/// [`Family::kernels`].
+pub type Judge = Box<dyn Fn(&Case, &mut [Tally]) + Send + Sync>;
+
+/// A kind of case for one primitive.
+pub struct Family {
+    /// The primitive's name.
+    pub primitive: &'static str,
+    /// The name of this kind of case, among the primitive's.
+    pub name: String,
+    /// Who answers.
+    pub kernels: Vec<Kernel>,
+    /// What is measured, and the largest value that passes; `None` is shown
+    /// only.
+    pub targets: Vec<(Metric, Option<f64>)>,
+    /// How many cases.
+    pub volume: Volume,
+    /// Makes a case from random numbers.
+    pub generate: Generate,
+    /// Judges a case.
+    pub judge: Judge,
+}
+
+impl Family {
+    /// `primitive/family`, which filters match and seeds come from.
+    pub fn label(&self) -> String {
+        format!("{}/{}", self.primitive, self.name)
+    }
+
+    /// An empty tally for each kernel.
+    pub fn tallies(&self) -> Vec<Tally> {
+        self.kernels.iter().map(|kernel| Tally::new(&self.targets, kernel.contract)).collect()
+    }
+
+    /// Whether a kernel under contract misses a target on this case alone.
+    pub fn offends(&self, case: &Case) -> bool {
+        let mut tallies = self.tallies();
+        (self.judge)(case, &mut tallies);
+        crate::tally::take_offense(&mut tallies)
+    }
+}
