@@ -1,8 +1,9 @@
 //! Nothing but the scene decides a picture: not the number of threads, not
-//! the accelerator, not the run.
+//! the accelerator, not the run, not the compiler or the processor.
 #![allow(clippy::unwrap_used)]
 
 use conformance::repository_suite;
+use harness::digest;
 use harness::fixture::{Build, Fixture};
 use harness::suite::Suite;
 use rayon::ThreadPoolBuilder;
@@ -41,6 +42,20 @@ fn threads_and_runs_do_not_matter() {
     for threads in [1, 2, 7] {
         assert_same_bits(&one, &pictures(threads));
     }
+}
+
+/// The table is the same for every target that runs this test, debug and
+/// release; `.ci/digests` asks the same of others.
+#[test]
+fn every_picture_has_the_bits_of_the_table() {
+    let suite = repository_suite();
+    let names = suite.select(&[]).unwrap().fixtures;
+    let table = digest::read_table(&suite).unwrap().unwrap();
+    let today = digest::of_fixtures(&suite, &names, &|_| ());
+    let today = today.into_iter().map(|(name, digest)| (name, digest.unwrap())).collect();
+    let differences = digest::differences(&table, &names, &today);
+    let lines: Vec<_> = differences.iter().map(ToString::to_string).collect();
+    assert!(lines.is_empty(), "{}\nif meant: cargo xtask digest --write", lines.join("\n"));
 }
 
 #[test]

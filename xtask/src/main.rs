@@ -56,6 +56,11 @@ enum Verb {
     ContactSheet(verb::contact_sheet::Args),
     /// Make the meshes that the fixtures use
     Meshes,
+    /// Measure on this machine
+    #[command(subcommand)]
+    Bench(verb::bench::Bench),
+    /// Print or check the bits of every picture, which no target may change
+    Digest(verb::digest::Args),
     /// Hold the tracer's answers against the exact oracle
     Stress(verb::stress::Args),
 }
@@ -96,6 +101,8 @@ fn main() -> ExitCode {
         Verb::Compare(args) => verb::compare::run(&args),
         Verb::ContactSheet(args) => verb::contact_sheet::run(&here, &args),
         Verb::Meshes => verb::meshes::run(&here),
+        Verb::Bench(bench) => verb::bench::run(&here, &bench),
+        Verb::Digest(args) => verb::digest::run(&here, &args),
         Verb::Stress(args) => verb::stress::run(&here, &args),
     };
     match answer {

@@ -1,43 +1,23 @@
-//! `Progress`: a bar on a terminal, one line of plain text elsewhere.
+//! How far a run is, on standard error: a bar on a terminal, lines of plain
+//! text elsewhere.
+
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Shows how far a run is, on standard error.
+/// Counts fixtures; shared between threads.
 pub(crate) struct Progress(ProgressBar);
 
 impl Progress {
     /// Starts counting to `total`; `doing` is "checking" or the like.
     pub(crate) fn start(doing: &'static str, total: usize) -> Self {
-        let bar = ProgressBar::new(total as u64);
+        let bar = bar(total as u64, "{prefix} [{bar:40}] {pos}/{len} {wide_msg}");
         if bar.is_hidden() {
             let s = if total == 1 { "" } else { "s" };
             eprintln!("{doing} {total} fixture{s}");
         }
-        let template = "{prefix} [{bar:40}] {pos}/{len} {wide_msg}";
-        let style =
-            ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-        bar.set_style(style.progress_chars("=> "));
         bar.set_prefix(doing);
         Self(bar)
-    }
-
-    /// Starts counting the cases of a stress run.
-    pub(crate) fn of_cases(total: u64) -> Self {
-        let bar = ProgressBar::new(total);
-        if bar.is_hidden() {
-            eprintln!("stressing with {total} cases");
-        }
-        let template = "stressing [{bar:40}] {percent}% {elapsed}, {eta} to go {wide_msg}";
-        let style =
-            ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-        bar.set_style(style.progress_chars("=> "));
-        Self(bar)
-    }
-
-    /// So many are done, the last of them in this.
-    pub(crate) fn reach(&self, done: u64, last: &str) {
-        self.0.set_message(last.to_owned());
-        self.0.set_position(done);
     }
 
     /// One more is done, the last of them being this.
@@ -50,4 +30,51 @@ impl Progress {
     pub(crate) fn finish(&self) {
         self.0.finish_and_clear();
     }
+}
+
+/// Counts the cases of a stress run, which may take hours.
+pub(crate) struct CaseProgress {
+    bar: ProgressBar,
+    /// When a line was last printed in place of the bar.
+    said: Instant,
+}
+
+impl CaseProgress {
+    /// How often a line is printed in place of the bar.
+    const SAY_EVERY: Duration = Duration::from_secs(30);
+
+    /// Starts at `done` of `total`.
+    pub(crate) fn start(done: u64, total: u64) -> Self {
+        let bar = bar(total, "stressing [{bar:40}] {percent} %, {eta} to go {wide_msg}");
+        if bar.is_hidden() {
+            eprintln!("stressing with {total} cases");
+        }
+        bar.set_position(done);
+        bar.reset_eta();
+        Self { bar, said: Instant::now() }
+    }
+
+    /// So many are done, the last of them of this family.
+    pub(crate) fn reach(&mut self, done: u64, family: &str) {
+        self.bar.set_message(family.to_owned());
+        self.bar.set_position(done);
+        if self.bar.is_hidden() && self.said.elapsed() > Self::SAY_EVERY {
+            let total = self.bar.length().unwrap_or(done).max(1);
+            eprintln!("{:.1} % of the cases, at {family}", 100.0 * done as f64 / total as f64);
+            self.said = Instant::now();
+        }
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn bar(total: u64, template: &str) -> ProgressBar {
+    let bar = ProgressBar::new(total);
+    let style =
+        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.set_style(style.progress_chars("=> "));
+    bar
 }

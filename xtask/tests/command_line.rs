@@ -96,11 +96,24 @@ fn plain(json: &str) -> String {
 fn help_of_every_verb() {
     let tree = Tree::new(&[]);
     let help = |verb: &str| {
-        let args = [verb, "--help"];
-        tree.run(if verb.is_empty() { &args[1..] } else { &args }).expect_code(0).stdout()
+        let args: Vec<_> = verb.split_whitespace().chain(["--help"]).collect();
+        tree.run(&args).expect_code(0).stdout()
     };
-    let verbs =
-        ["", "check", "bless", "new", "list", "render", "compare", "contact-sheet", "meshes"];
+    let verbs = [
+        "",
+        "check",
+        "bless",
+        "new",
+        "list",
+        "render",
+        "compare",
+        "contact-sheet",
+        "digest",
+        "meshes",
+        "bench",
+        "bench error",
+        "stress",
+    ];
     let all = verbs.map(|verb| format!("==== {verb} ====\n{}", help(verb))).join("\n");
     insta::assert_snapshot!(all);
 }
@@ -268,6 +281,41 @@ fn the_contact_sheet_shows_every_golden() {
 }
 
 #[test]
+fn digests_are_written_and_held_against() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    tree.run(&["digest", "--check"]).expect_code(2).expect("cargo xtask digest --write");
+    tree.run_with(&["digest", "--write"], &[("CI", "1")]).expect_code(2).expect("CI");
+    tree.run(&["digest", "--write"]).expect_code(0).expect("wrote golden/digests.txt, 2 lines");
+    tree.run(&["digest", "--check"]).expect_code(0).expect("2 pictures have the bits of");
+    tree.run(&["check"]).expect_code(0).expect("2 match");
+    let printed = tree.run(&["digest", "b"]).expect_code(0).stdout();
+    let table = fs::read_to_string(tree.path("golden/digests.txt")).unwrap();
+    assert!(printed.starts_with("b ") && table.ends_with(&printed), "{printed}");
+
+    // Another picture of the same name.
+    let dim = SQUARE.replace("show: Silhouette", "exposure: 0.5, background: (0.1, 0.1, 0.1)");
+    tree.write("fixtures/a.ron", dim.as_bytes());
+    let ran = tree.run(&["digest", "--check"]).expect_code(1);
+    let ran = ran
+        .expect("a: expected the linear picture ")
+        .expect("if meant: cargo xtask digest --write");
+    ran.expect("a: expected the encoded picture ");
+    tree.run(&["digest", "--check", "b"]).expect_code(0).expect("1 picture has the bits of");
+    tree.run(&["digest", "--write", "a"]).expect_code(0);
+    tree.write("fixtures/c.ron", SQUARE.as_bytes());
+    fs::remove_file(tree.path("fixtures/b.ron")).unwrap();
+    let ran = tree.run(&["digest", "--check"]).expect_code(1);
+    ran.expect("c: expected a line in").expect("b: expected a fixture");
+    tree.run(&["digest", "--write"]).expect_code(0);
+    tree.run(&["digest", "--check"]).expect_code(0);
+    tree.write("fixtures/c.ron", b"()");
+    tree.run(&["digest", "--check"]).expect_code(1).expect("fixtures/c.ron");
+    tree.run(&["digest", "--write"]).expect_code(1).expect("nothing is written");
+    tree.write("golden/digests.txt", b"nonsense");
+    tree.run(&["digest", "--check", "a"]).expect_code(2).expect("line 1");
+}
+
+#[test]
 fn meshes_are_looked_for_beside_the_scene_and_nowhere_else() {
     let mesh = SQUARE.replace("Box(min: (-1, -1, -1), max: (1, 1, 1))", "Mesh(file: \"m/a.obj\")");
     let tree = Tree::new(&[("area/a", &mesh)]);
@@ -286,5 +334,16 @@ fn meshes_are_looked_for_beside_the_scene_and_nowhere_else() {
         std::os::unix::fs::symlink(tree.path("secret.obj"), tree.path("fixtures/area/m/a.obj"))
             .unwrap();
         tree.run(&["check"]).expect_code(1).expect("is a link that leaves the scene's folder");
+    }
+}
+
+#[test]
+fn stress_and_bench_ask_by_name() {
+    let tree = Tree::new(&[("square", SQUARE)]);
+    for verb in [&["stress"][..], &["bench", "error"]] {
+        let ran = tree.run(&[verb, &["no-such-family"]].concat()).expect_code(2);
+        ran.expect("the filter \"no-such-family\" selects nothing");
+        let listed = tree.run(&[verb, &["sphere/*", "--list"]].concat()).expect_code(0).stdout();
+        assert!(listed.contains("sphere/") && !listed.contains("triangle/"), "{listed}");
     }
 }

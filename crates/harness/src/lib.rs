@@ -12,6 +12,7 @@
 
 pub mod bless;
 pub mod check;
+pub mod digest;
 pub mod encode;
 pub mod expectation;
 pub mod filter;

@@ -5,12 +5,15 @@
 //! - [`truth`]: what the exact answers are, written once for both;
 //! - [`subject`]: what is asked of each primitive, family by family;
 //! - [`matrix`]: runs families over millions of seeded cases and adds up;
+//! - [`kernel`]: the textbook's and other people's formulas, to compare with;
+//! - [`bench`]: time against error;
 //! - [`table`]: the result as rows, for people and machines;
 //! - [`kept`]: cases that once failed, replayed ever after.
 //!
 //! For development only: nothing that renders depends on this crate. It prints
 //! nothing and opens no files.
 
+pub mod bench;
 pub mod case;
 pub mod family;
 pub mod kept;

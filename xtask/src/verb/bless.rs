@@ -1,6 +1,7 @@
 //! `bless`: accept today's pictures as goldens.
 
 use harness::bless::{Blessed, bless};
+use harness::digest;
 use harness::report::numbers;
 use harness::store;
 use harness::suite::Suite;
@@ -72,6 +73,10 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if written > 0 && store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
         let flag = here.reader(&suite).root_flag;
         println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);
+    }
+    if written > 0 && store::is_file(&suite.root().join(digest::TABLE)) {
+        let flag = here.reader(&suite).root_flag;
+        println!("then rewrite {}: cargo xtask{flag} digest --write", digest::TABLE);
     }
     println!("{written} written, {untouched} left as they were, {refused} refused");
     Ok(if refused == 0 { Answer::Yes } else { Answer::No })

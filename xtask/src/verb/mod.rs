@@ -1,9 +1,11 @@
 //! The verbs, one file each.
 
+pub(crate) mod bench;
 pub(crate) mod bless;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod contact_sheet;
+pub(crate) mod digest;
 pub(crate) mod list;
 pub(crate) mod meshes;
 pub(crate) mod new;

@@ -9,7 +9,7 @@ use stress::kept::{self, Kept};
 use stress::matrix::{Matrix, Plan};
 use stress::{Family, table};
 
-use crate::progress::Progress;
+use crate::progress::CaseProgress;
 use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `stress`.
@@ -107,9 +107,8 @@ fn advance(matrix: &mut Matrix<'_>, state: Option<&Path>) -> Result<(), CannotAs
             eprintln!("{}: of another program, starting over", path.display());
         }
     }
-    let progress = Progress::of_cases(matrix.total());
+    let mut progress = CaseProgress::start(matrix.done(), matrix.total());
     let mut stored = Instant::now();
-    progress.reach(matrix.done(), "");
     while let Some(family) = matrix.advance() {
         progress.reach(matrix.done(), &family);
         if let Some(path) = state

@@ -3,7 +3,7 @@
 use tracer::glam::DVec3;
 
 use crate::family::{Family, Generate, Kernel, Volume};
-use crate::truth::{Truth, UNIT_ROUNDOFF};
+use crate::truth::{Truth, UNIT_ROUNDOFF, distance};
 use crate::{Case, Metric, Random, Tally};
 
 /// A kernel with its formula: the first `t` above 0.
@@ -128,11 +128,6 @@ pub(super) fn judge(truth: &Truth, answer: Option<f64>, tally: &mut Tally) {
             tally.most(Metric::ConditionError, error / allowed);
         }
     }
-}
-
-/// `|x - (hi + lo)|`.
-pub(super) fn distance(x: f64, (hi, lo): (f64, f64)) -> f64 {
-    ((x - hi) - lo).abs()
 }
 
 /// The distance from `|x|` to the next `f64`.

@@ -4,12 +4,14 @@
 //! [`all`], and its exact formula in [`crate::truth`].
 
 mod axis_box;
+mod camera;
 mod chain;
 mod closest;
 mod cone;
 mod cylinder;
 mod disk;
 mod frustum;
+mod image;
 mod instance;
 mod mesh;
 mod plane;
@@ -38,6 +40,8 @@ pub fn all() -> Vec<Family> {
         mesh::families(),
         instance::families(),
         spawn::families(),
+        camera::families(),
+        image::families(),
     ]
     .into_iter()
     .flatten()

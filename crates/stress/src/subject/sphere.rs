@@ -10,7 +10,8 @@ use super::closest::{Answer, Inputs, Subject, special, towards};
 use super::plane::ahead;
 use super::sphere_surface;
 use crate::family::{Family, Kernel, Volume};
-use crate::kernel::textbook_f32;
+use crate::kernel::of_case::AtSphere;
+use crate::kernel::{self, Range};
 use crate::random::{f32_of, f32_point};
 use crate::{Case, Random, truth};
 
@@ -33,8 +34,8 @@ pub(super) fn families() -> Vec<Family> {
     };
     let double = of(&answers);
     answers.extend([
-        (Kernel::textbook("algebraic-f32"), textbook_f32::sphere_algebraic as fn(&Case) -> _),
-        (Kernel::textbook("geometric-f32"), textbook_f32::sphere_geometric),
+        (Kernel::textbook("algebraic-f32"), algebraic_f32 as fn(&Case) -> _),
+        (Kernel::textbook("geometric-f32"), geometric_f32),
     ]);
     let single = of(&answers);
     let special_volume = Volume { quick: 100_000, full: 10_000_000 };
@@ -86,6 +87,16 @@ pub(super) fn over_disc(random: &mut Random, radius: f64, reach: f64) -> f64 {
 
 /// The widest impact, in radii, of families with hits and misses.
 const REACH: f64 = 1.1;
+
+fn algebraic_f32(case: &Case) -> Option<f64> {
+    let at = AtSphere::<f32>::new(case);
+    kernel::sphere::algebraic(&at.sphere, &at.ray, Range::AHEAD).map(f64::from)
+}
+
+fn geometric_f32(case: &Case) -> Option<f64> {
+    let at = AtSphere::<f32>::new(case);
+    kernel::sphere::geometric(&at.sphere, &at.ray, Range::AHEAD).map(f64::from)
+}
 
 fn goldray(case: &Case) -> Option<f64> {
     let sphere = Sphere::new(case.point(0), case.number(3)).ok()?;

@@ -5,11 +5,10 @@ use tracer::lecture::sphere_algebraic;
 use tracer::shape::{Contact, Geometry, Sphere};
 use tracer::{Interval, Ray, UnitVec};
 
-use super::closest::distance;
 use super::sphere::{aimed, over_disc};
 use crate::family::{Family, Kernel, Volume};
 use crate::number::{Dd, Number, V3};
-use crate::truth::UNIT_ROUNDOFF;
+use crate::truth::{UNIT_ROUNDOFF, distance};
 use crate::{Case, Metric, Random, Tally, truth};
 
 const VOLUME: Volume = Volume { quick: 250_000, full: 20_000_000 };

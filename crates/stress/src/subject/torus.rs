@@ -6,10 +6,11 @@ use tracer::glam::DVec3;
 use tracer::shape::{Geometry, Torus};
 use tracer::{Interval, Ray};
 
-use super::closest::{self, distance, towards};
+use super::closest::{self, towards};
 use super::textbook_torus::first_hit as textbook;
 use crate::family::{Family, Kernel, Volume};
 use crate::truth::UNIT_ROUNDOFF;
+use crate::truth::distance;
 use crate::truth::torus::{self, TorusTruth};
 use crate::{Case, Metric, Random, Tally};
 

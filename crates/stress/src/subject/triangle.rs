@@ -11,7 +11,8 @@ use super::closest::{Answer, Inputs, Subject, special};
 use super::plane::ahead;
 use super::triangle_flat;
 use crate::family::{Family, Kernel, Volume};
-use crate::kernel::textbook_f32;
+use crate::kernel::of_case::AtTriangle;
+use crate::kernel::{self, Range};
 use crate::random::{f32_of, f32_point};
 use crate::truth::{self, Truth};
 use crate::{Case, Random};
@@ -36,11 +37,8 @@ pub(super) fn families() -> Vec<Family> {
     };
     let (double, exact) = (of(truth::triangle, &answers), of(truth::triangle_on_lattice, &answers));
     answers.extend([
-        (
-            Kernel::textbook("inside-edges-f32"),
-            textbook_f32::triangle_inside_edges as fn(&Case) -> _,
-        ),
-        (Kernel::textbook("linear-system-f32"), textbook_f32::triangle_linear_system),
+        (Kernel::textbook("inside-edges-f32"), inside_edges_f32 as fn(&Case) -> _),
+        (Kernel::textbook("linear-system-f32"), linear_system_f32),
     ]);
     let single = of(truth::triangle, &answers);
     let mut families = Vec::new();
@@ -99,6 +97,16 @@ pub(super) fn inside_edges(case: &Case) -> Option<f64> {
 
 pub(super) fn linear_system(case: &Case) -> Option<f64> {
     triangle_linear_system(corners(case), &case.ray(RAY), Interval::AHEAD).map(|(t, ..)| t)
+}
+
+fn inside_edges_f32(case: &Case) -> Option<f64> {
+    let at = AtTriangle::<f32>::new(case);
+    kernel::triangle::inside_edges(&at.corners, &at.ray, Range::AHEAD).map(f64::from)
+}
+
+fn linear_system_f32(case: &Case) -> Option<f64> {
+    let at = AtTriangle::<f32>::new(case);
+    kernel::triangle::linear_system(&at.corners, &at.ray, Range::AHEAD).map(f64::from)
 }
 
 fn case_of(corners: [DVec3; 3], origin: DVec3, direction: DVec3) -> Case {

@@ -5,6 +5,7 @@
 //! inputs are taken as the exact numbers that they are.
 
 mod axis_box;
+pub mod camera;
 pub mod cone;
 pub mod cylinder;
 mod disk;
@@ -56,6 +57,11 @@ impl Truth {
 
 /// The largest relative error of one rounding of an `f64`, 2^-53.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// `|x - (hi + lo)|`.
+pub(crate) fn distance(x: f64, (hi, lo): (f64, f64)) -> f64 {
+    ((x - hi) - lo).abs()
+}
 
 /// How many times the effect of one rounding of each input still is a tie: the
 /// effects of several inputs add up, and are taken to first order only.

@@ -79,7 +79,7 @@ impl Geometry for Torus {
         Aabb { min: self.center - reach, max: self.center + reach }
     }
 
-    /// The first of up to four roots; [`Line`] says how none is lost.
+    /// The first of up to four roots; `torus/line.rs` says how none is lost.
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
         let line = Line::new(self, ray)?;
         line.first_crossing(&line.span()?, range).map(Contact::at)

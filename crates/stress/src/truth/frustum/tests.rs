@@ -1,3 +1,5 @@
+//! Frusta against answers known on paper, dense sampling and more digits.
+
 use tracer::glam::dvec3;
 
 use super::*;

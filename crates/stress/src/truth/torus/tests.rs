@@ -1,3 +1,5 @@
+//! Tori against answers known on paper, dense sampling and more digits.
+
 use std::cmp::Ordering;
 
 use tracer::glam::dvec3;

@@ -1,0 +1,75 @@
+//! `bench`: what is measured on this machine, as nothing else of goldray is.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use harness::filter;
+use stress::bench::{self, Effort};
+
+use crate::{Answer, CannotAsk, Here};
+
+/// What `bench` measures.
+#[derive(Debug, clap::Subcommand)]
+pub(crate) enum Bench {
+    /// Time against error: every kernel and precision on the same rays, in half a minute
+    Error(ErrorArgs),
+}
+
+/// Flags of `bench error`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ErrorArgs {
+    /// Which families, by PRIMITIVE/FAMILY; all if none is given
+    #[arg(value_name = "FILTER")]
+    filters: Vec<String>,
+    /// Only list the families
+    #[arg(long)]
+    list: bool,
+    /// Also write the numbers as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Also draw time against error, a panel for each family
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+}
+
+pub(crate) fn run(here: &Here, bench: &Bench) -> Result<Answer, CannotAsk> {
+    match bench {
+        Bench::Error(args) => error(here, args),
+    }
+}
+
+fn error(
+    here: &Here,
+    ErrorArgs { filters, list, json, svg }: &ErrorArgs,
+) -> Result<Answer, CannotAsk> {
+    let labels: BTreeSet<_> = bench::labels().into_iter().collect();
+    let filters: Vec<_> = filters.iter().map(String::as_str).collect();
+    let chosen = match filter::select(&labels, &filters, "cargo xtask bench error --list")? {
+        none if none.is_empty() => labels,
+        some => some,
+    };
+    if *list {
+        for label in &chosen {
+            println!("{label}");
+        }
+        return Ok(Answer::Yes);
+    }
+    let mut begun = 0;
+    let report = bench::run(
+        |label| chosen.contains(label),
+        &Effort::USUAL,
+        |label| {
+            begun += 1;
+            eprintln!("measuring {label} ({begun} of {})", chosen.len());
+        },
+    );
+    print!("{}", bench::text(&report));
+    if let Some(path) = json {
+        let text = serde_json::to_string_pretty(&report)?;
+        here.write(path, format!("{text}\n").as_bytes())?;
+    }
+    if let Some(path) = svg {
+        here.write(path, bench::svg(&report).as_bytes())?;
+    }
+    Ok(Answer::Yes)
+}
