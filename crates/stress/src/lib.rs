@@ -6,7 +6,7 @@
 //! - [`subject`]: what is asked of each primitive, family by family;
 //! - [`matrix`]: runs families over millions of seeded cases and adds up;
 //! - [`kernel`]: the textbook's and other people's formulas, to compare with;
-//! - [`bench`]: time against error;
+//! - [`mod@bench`]: time against error;
 //! - [`table`]: the result as rows, for people and machines;
 //! - [`kept`]: cases that once failed, replayed ever after.
 //!

@@ -1,6 +1,6 @@
 //! `Truth`: what the exact answers are.
 //!
-//! Each formula is written once, for any [`Number`](crate::number::Number), in
+//! Each formula is written once, for any [`Number`], in
 //! the plainest form there is: with enough digits nothing need be stable. The
 //! inputs are taken as the exact numbers that they are.
 
