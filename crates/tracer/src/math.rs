@@ -82,13 +82,18 @@ pub(crate) fn cross(a: DVec3, b: DVec3) -> DVec3 {
 /// `r(t) - center`, each component rounded once although the terms cancel:
 /// what a curved shape needs to be met as exactly from far away as from near.
 pub(crate) fn offset_at(ray: &Ray, t: f64, center: DVec3) -> DVec3 {
-    let axis = |k: usize| {
+    offset_with_rest_at(ray, t, center).0
+}
+
+/// [`offset_at`] and what its rounding left out.
+pub(crate) fn offset_with_rest_at(ray: &Ray, t: f64, center: DVec3) -> (DVec3, DVec3) {
+    let [x, y, z] = [0, 1, 2].map(|k| {
         let (way, way_rest) = two_product(t, ray.direction[k]);
         let (from_center, from_center_rest) = two_sum(ray.origin[k], -center[k]);
         let (sum, sum_rest) = two_sum(from_center, way);
-        sum + (sum_rest + (from_center_rest + way_rest))
-    };
-    DVec3::new(axis(0), axis(1), axis(2))
+        two_sum(sum, sum_rest + (from_center_rest + way_rest))
+    });
+    (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
 }
 
 /// The largest power of two that is not above `x`; `None` unless `x` is a

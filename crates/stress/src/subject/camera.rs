@@ -21,7 +21,7 @@ const PIXEL_ERROR: f64 = 1e-9;
 /// camera's numbers may do.
 const CONDITION_ERROR: f64 = 4.0;
 
-const VOLUME: Volume = Volume { quick: 100_000, full: 100_000_000 };
+const VOLUME: Volume = Volume { quick: 100_000, full: 10_000_000 };
 
 /// Every family of the camera.
 pub(super) fn families() -> Vec<Family> {

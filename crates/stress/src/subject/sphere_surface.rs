@@ -36,8 +36,8 @@ fn family(name: &str, (least, most): (f64, f64)) -> Family {
         kernels: vec![Kernel::GOLDRAY, Kernel::textbook("at-t-of-algebraic")],
         targets: vec![
             (Metric::FalseMisses, Some(0.0)),
-            (Metric::NormalError, Some(4.0)),
-            (Metric::PositionError, Some(4.0)),
+            (Metric::NormalError, Some(3.0)),
+            (Metric::PositionError, Some(3.0)),
         ],
         volume: VOLUME,
         generate: Box::new(generate),

@@ -5,7 +5,7 @@
 use glam::DVec3;
 
 use super::{Contact, Departure, Geometry, SurfacePoint};
-use crate::math::{UNIT_ROUNDOFF, dot, max_abs, offset_at, two_product, two_sum};
+use crate::math::{UNIT_ROUNDOFF, dot, max_abs, offset_with_rest_at, two_product, two_sum};
 use crate::refused::{length, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
 
@@ -51,12 +51,11 @@ impl Sphere {
     /// The ray's two meetings with the sphere; `None` where it passes by.
     ///
     /// Three cancellations of the textbook form are avoided. The ray is first
-    /// moved to where it is closest to the center, each coordinate rounded once
-    /// although its terms cancel, so that the distance it comes from costs
-    /// nothing: this is the remainder vector of the source, computed exactly.
-    /// `r^2 - m.m` is summed with twice the digits, which a ray along the
-    /// silhouette needs. And `t_c` need not be the closest point: `e` makes up
-    /// for its rounding.
+    /// moved to where it is closest to the center, with twice the digits, so
+    /// that the distance it comes from costs nothing: this is the remainder
+    /// vector of the source, computed exactly. `r^2 - m.m` is summed with twice
+    /// the digits too, which a ray along the silhouette needs. And `t_c` need
+    /// not be the closest point: `e` makes up for its rounding.
     ///
     /// Source: after Haines, Guenther, Akenine-Moeller, "Precision
     /// Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019,
@@ -69,9 +68,9 @@ impl Sphere {
         if self.is_passed_by(f + t_c * d, f) {
             return None;
         }
-        let m = offset_at(ray, t_c, self.center);
-        let e = dot(m, d);
-        let discriminant = e * e + a * self.inside_by(m);
+        let (m, rest) = offset_with_rest_at(ray, t_c, self.center);
+        let e = dot(m, d) + rest.dot(d);
+        let discriminant = e * e + a * self.inside_by(m, rest);
         // A positive test: a NaN anywhere is a miss.
         if !(discriminant >= 0.0) {
             return None;
@@ -91,10 +90,17 @@ impl Sphere {
         m.dot(m) > reach * reach
     }
 
-    /// `r^2 - m.m` with twice the digits, rounded once.
-    fn inside_by(&self, m: DVec3) -> f64 {
-        let (square, rest) = two_product(self.radius, self.radius);
-        square_sum_from((square, rest), m)
+    /// `r^2 - |m + rest|^2` with twice the digits, rounded once: how far a point
+    /// is inside, in the geometer's units. What is below `rest` is left out.
+    fn inside_by(&self, m: DVec3, rest: DVec3) -> f64 {
+        let (mut sum, mut lost) = two_product(self.radius, self.radius);
+        for x in m.to_array() {
+            let (square, square_rest) = two_product(x, x);
+            let (next, next_rest) = two_sum(sum, -square);
+            sum = next;
+            lost += next_rest - square_rest;
+        }
+        sum + (lost - 2.0 * m.dot(rest))
     }
 
     /// `t` of both roots of an approach, lower first: `t_c + s`, or where that
@@ -110,34 +116,10 @@ impl Sphere {
             return [near, far];
         }
         let a = dot(ray.direction, ray.direction);
-        let product = self.power_of(ray.origin) / a;
+        let (f, rest) = offset_with_rest_at(ray, 0.0, self.center);
+        let product = -self.inside_by(f, rest) / a;
         if cancels(near) { [far.min(product / far), far] } else { [near, near.max(product / near)] }
     }
-
-    /// `f.f - r^2` for `f = p - center`, exact but for a few last roundings:
-    /// how far a point is from the surface, in the geometer's units.
-    fn power_of(&self, p: DVec3) -> f64 {
-        let (x, x_rest) = two_sum(p.x, -self.center.x);
-        let (y, y_rest) = two_sum(p.y, -self.center.y);
-        let (z, z_rest) = two_sum(p.z, -self.center.z);
-        let f = DVec3::new(x, y, z);
-        let rest = 2.0 * f.dot(DVec3::new(x_rest, y_rest, z_rest));
-        let (square, square_rest) = two_product(self.radius, self.radius);
-        -square_sum_from((square, square_rest - rest), f)
-    }
-}
-
-/// `(hi + lo) - v.v` with twice the digits, rounded once.
-fn square_sum_from((hi, lo): (f64, f64), v: DVec3) -> f64 {
-    let mut sum = hi;
-    let mut rest = lo;
-    for x in v.to_array() {
-        let (square, square_rest) = two_product(x, x);
-        let (next, lost) = two_sum(sum, -square);
-        sum = next;
-        rest += lost - square_rest;
-    }
-    sum + rest
 }
 
 impl Geometry for Sphere {

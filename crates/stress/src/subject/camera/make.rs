@@ -14,8 +14,10 @@ const MOST_PIXELS: u32 = 65_536;
 /// The farthest view point from the world's origin.
 const FARTHEST: f64 = 1e8;
 
-/// Between the far edges of the window, along its longer side, in degrees.
-const FOV_DEG: (f64, f64) = (1.0, 170.0);
+/// Between the far edges of the window, along its longer side, in degrees. At
+/// 1 degree across 65,536 pixels the last bit of a direction alone is worth
+/// 4e-10 pixels, and three of them more than is aimed at.
+const FOV_DEG: (f64, f64) = (2.0, 170.0);
 
 /// The narrowest of an oblique view: its window shows the last bit of a ray's
 /// direction up to four times larger, see [`leaning`].

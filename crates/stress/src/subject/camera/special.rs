@@ -9,7 +9,7 @@ use super::{CAMERA_AT, eye, look_at_of, make, new_look_at, pixel_of, view_of};
 use crate::family::{Family, Kernel, Volume};
 use crate::{Case, Metric, Random};
 
-const VOLUME: Volume = Volume { quick: 200_000, full: 10_000_000 };
+const VOLUME: Volume = Volume { quick: 200_000, full: 5_000_000 };
 
 /// The last are the largest and the smallest lengths that are accepted, with
 /// their neighbors.

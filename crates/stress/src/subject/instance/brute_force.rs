@@ -131,7 +131,7 @@ pub(super) fn family() -> Family {
         name: "brute-force".to_owned(),
         kernels: vec![Kernel::GOLDRAY],
         targets: vec![(Metric::Disagreements, Some(0.0)), (Metric::NotFinite, Some(0.0))],
-        volume: Volume { quick: 150_000, full: 100_000_000 },
+        volume: Volume { quick: 150_000, full: 20_000_000 },
         generate: Box::new(move |random| {
             let number = random.below(makes.len());
             let Some(pair) = makes.get(number) else { return Case::EMPTY };
