@@ -27,6 +27,9 @@ pub(crate) struct Args {
     /// Only list the families, with how many cases each has
     #[arg(long)]
     list: bool,
+    /// With --full: run nothing, only show the numbers of what has been run
+    #[arg(long, requires = "full")]
+    so_far: bool,
     /// Also write every number to this file as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -71,7 +74,11 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let plan = Plan { full: args.full, seed: args.seed, program: store::program_hash()? };
     let mut matrix = Matrix::new(&families, plan);
     let state = suite.root().join(format!("target/stress/full-{}.json", args.seed));
-    advance(&mut matrix, args.full.then_some(&*state))?;
+    if args.so_far {
+        resume(&mut matrix, &state)?;
+    } else {
+        advance(&mut matrix, args.full.then_some(&*state))?;
+    }
 
     let rows: Vec<_> = matrix.results().flat_map(|(f, tallies)| table::rows(f, tallies)).collect();
     print!("{}", table::text(&rows));
@@ -96,16 +103,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 /// Runs all that is left to run. With a path, the run is taken up from there
 /// and stored there as it goes on.
 fn advance(matrix: &mut Matrix<'_>, state: Option<&Path>) -> Result<(), CannotAsk> {
-    if let Some(path) = state
-        && let Some(bytes) = store::read(path, MAX_BYTES)?
-    {
-        // A file of another program or form is of no use, and is replaced.
-        let resumed = serde_json::from_slice(&bytes).is_ok_and(|stored| matrix.resume(&stored));
-        if resumed {
-            eprintln!("going on after {} of {} cases", matrix.done(), matrix.total());
-        } else {
-            eprintln!("{}: of another program, starting over", path.display());
-        }
+    if let Some(path) = state {
+        resume(matrix, path)?;
     }
     let mut progress = CaseProgress::start(matrix.done(), matrix.total());
     let mut stored = Instant::now();
@@ -121,6 +120,18 @@ fn advance(matrix: &mut Matrix<'_>, state: Option<&Path>) -> Result<(), CannotAs
     progress.finish();
     if let Some(path) = state {
         store::write(path, &serde_json::to_vec(&matrix.to_stored())?)?;
+    }
+    Ok(())
+}
+
+/// Takes up a stored run, if it is of this program.
+fn resume(matrix: &mut Matrix<'_>, path: &Path) -> Result<(), CannotAsk> {
+    let Some(bytes) = store::read(path, MAX_BYTES)? else { return Ok(()) };
+    // A file of another program or form is of no use, and will be replaced.
+    if serde_json::from_slice(&bytes).is_ok_and(|stored| matrix.resume(&stored)) {
+        eprintln!("{} of {} cases were done before", matrix.done(), matrix.total());
+    } else {
+        eprintln!("{}: of another program, starting over", path.display());
     }
     Ok(())
 }

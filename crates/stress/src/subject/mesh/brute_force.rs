@@ -1,4 +1,4 @@
-//! The hierarchy against the list, on meshes of 50 to 500 triangles: the same
+//! The hierarchy against the list, on meshes of 20 to 200 triangles: the same
 //! triangle at the same `t` to the bit, the same number of crossings, the same
 //! shadows.
 
@@ -95,7 +95,7 @@ fn own_corners(count: usize) -> Vec<[u32; 3]> {
 
 fn pair(kind: &str, make: Make, number: u64) -> Option<Pair> {
     let mut random = Random::of_chunk(0, kind, number);
-    let count = random.decades(50.0, 500.0) as usize;
+    let count = random.decades(20.0, 200.0) as usize;
     let scale = random.one_of(&[1.0, 1.0, 1e-6, 1e10]);
     let offset = scale * random.one_of(&[0.0, 0.0, 1.0, 1e5]) * random.point();
     let mut soup = make(&mut random, count);
