@@ -63,6 +63,26 @@ impl Family {
         format!("{}/{}", self.primitive, self.name)
     }
 
+    /// What is measured, and that few cases are ties.
+    pub fn all_targets(&self) -> Vec<(Metric, Option<f64>)> {
+        /// In a million, for families that do not say: what falls next to an
+        /// edge by chance.
+        const TIES_PPM: f64 = 1000.0;
+        let mut all = self.targets.clone();
+        if !all.iter().any(|(metric, _)| *metric == Metric::Ties) {
+            all.push((Metric::Ties, Some(TIES_PPM)));
+        }
+        all
+    }
+
+    /// The family, which is made so close to the edge that up to this many
+    /// cases in a million are ties.
+    #[must_use]
+    pub fn with_ties(mut self, ppm: f64) -> Self {
+        self.targets.push((Metric::Ties, Some(ppm)));
+        self
+    }
+
     /// An empty tally for each kernel.
     pub fn tallies(&self) -> Vec<Tally> {
         self.kernels.iter().map(|kernel| Tally::new(&self.targets, kernel.contract)).collect()

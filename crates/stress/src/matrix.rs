@@ -182,6 +182,11 @@ impl<'a> Matrix<'a> {
                 offenders.push(case);
             }
         }
+        for (kernel, tally) in family.kernels.iter().zip(&mut tallies) {
+            if kernel.contract {
+                tally.fill_up(cases);
+            }
+        }
         (tallies, offenders)
     }
 }

@@ -9,6 +9,8 @@ pub enum Sum {
     Most,
     /// The value that 99.9 % of the cases stay below.
     P999,
+    /// How many cases in a million show it.
+    Ppm,
 }
 
 macro_rules! metrics {
@@ -53,6 +55,9 @@ metrics! {
     Disagreements, "disagreements", Count;
     /// Answers that hold a NaN or an infinity, or to a question that does.
     NotFinite, "not_finite", Count;
+    /// Cases that decide nothing: too close to call, or not judged at all. A
+    /// family has few of them, or it would be green without having asked.
+    Ties, "ties_ppm", Ppm;
     /// Panics.
     Panics, "panics", Count;
     /// Mirrored questions whose answers are not mirrored to the bit.

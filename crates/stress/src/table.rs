@@ -25,9 +25,9 @@ pub struct Row {
     pub ties: u64,
     /// The metric's name.
     pub metric: &'static str,
-    /// Its value; absent where it is infinite.
+    /// Its value; null where it is infinite.
     pub value: Option<f64>,
-    /// The largest value that passes; absent where it is only shown.
+    /// The largest value that passes; null where it is only shown.
     pub target: Option<f64>,
     /// Whether the value is at most the target.
     pub pass: bool,
@@ -50,7 +50,7 @@ pub struct Table {
 pub fn rows(family: &Family, tallies: &[Tally]) -> Vec<Row> {
     let mut rows = Vec::new();
     for (kernel, tally) in family.kernels.iter().zip(tallies) {
-        for &(metric, target) in &family.targets {
+        for (metric, target) in family.all_targets() {
             let value = tally.value(metric);
             rows.push(Row {
                 primitive: family.primitive,
@@ -62,7 +62,7 @@ pub fn rows(family: &Family, tallies: &[Tally]) -> Vec<Row> {
                 metric: metric.name(),
                 value: value.is_finite().then_some(value),
                 target,
-                // A family that ran no case has shown nothing.
+                // A kernel that was asked nothing has shown nothing.
                 pass: tally.cases() > 0 && target.is_none_or(|target| value <= target),
             });
         }
@@ -94,7 +94,9 @@ pub fn text(rows: &[Row]) -> String {
             let _ = write!(text, "{verdict} {name:<34} {kernel:<22} {:>8}", cases(first.n));
             let ties = if first.ties > 0 { format!("{} ties", first.ties) } else { String::new() };
             let _ = write!(text, " {ties:>12}");
-            for row in of_kernel {
+            for row in
+                of_kernel.iter().filter(|row| !(row.pass && row.metric == Metric::Ties.name()))
+            {
                 let _ = write!(text, "  {}", number(row));
             }
             text.push('\n');

@@ -8,6 +8,9 @@ use serde::{Deserialize, Serialize};
 use crate::Metric;
 use crate::metric::Sum;
 
+/// A million.
+const PPM: f64 = 1e6;
+
 /// What one kernel did on the cases of one family.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tally {
@@ -28,7 +31,7 @@ impl Tally {
         let mut all = vec![f64::INFINITY; Metric::ALL.len()];
         let mut spread = BTreeMap::new();
         for &(metric, target) in targets {
-            if contract && metric.sum() != Sum::P999 {
+            if contract && matches!(metric.sum(), Sum::Count | Sum::Most) {
                 all[metric.index()] = target.unwrap_or(f64::INFINITY);
             }
             if metric.sum() == Sum::P999 {
@@ -80,6 +83,13 @@ impl Tally {
         std::mem::take(&mut self.offended)
     }
 
+    /// Up to `cases`, those that were not judged count as ties.
+    pub fn fill_up(&mut self, cases: u64) {
+        let missing = cases.saturating_sub(self.cases);
+        self.cases += missing;
+        self.ties += missing;
+    }
+
     /// How many cases were judged, ties included.
     pub fn cases(&self) -> u64 {
         self.cases
@@ -95,6 +105,7 @@ impl Tally {
         match metric.sum() {
             Sum::Count => self.counts[metric.index()] as f64,
             Sum::Most => self.most[metric.index()],
+            Sum::Ppm => PPM * self.ties as f64 / self.cases.max(1) as f64,
             Sum::P999 => self.spread.get(&metric).map_or(0.0, |h| h.quantile(0.999)),
         }
     }

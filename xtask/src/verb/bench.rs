@@ -54,6 +54,9 @@ fn error(
         }
         return Ok(Answer::Yes);
     }
+    for path in [json, svg].into_iter().flatten() {
+        here.may_write(path)?;
+    }
     let mut begun = 0;
     let report = bench::run(
         |label| chosen.contains(label),

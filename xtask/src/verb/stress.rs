@@ -18,7 +18,8 @@ pub(crate) struct Args {
     /// Which families, by PRIMITIVE/FAMILY; all if none is given
     #[arg(value_name = "FILTER")]
     filters: Vec<String>,
-    /// Run 1e7 to 1e9 cases of each, which takes hours; taken up where it was stopped
+    /// Run many more cases of each, up to 1e9, which takes hours; a run that was stopped is taken up
+    /// again by the same program
     #[arg(long)]
     full: bool,
     /// What the random numbers start from
@@ -63,6 +64,10 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return Ok(Answer::Yes);
     }
 
+    // Before hours of work.
+    if let Some(path) = &args.json {
+        here.may_write(path)?;
+    }
     let suite = here.suite()?;
     let started = Instant::now();
     let kept_path = suite.root().join(KEPT);
@@ -87,7 +92,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let held = rows.iter().filter(is_held).count();
     let missed = rows.iter().filter(is_held).filter(|row| !row.pass).count();
     println!(
-        "{} cases of {} families from seed {}, {replayed} kept ones: {missed} of {held} targets missed ({:.1} s)",
+        "{} cases of {} families from seed {}, {replayed} kept ones: {missed} of {held} targets missed \
+         ({:.1} s); docs/accuracy.md says what the numbers are",
         matrix.done(),
         families.len(),
         args.seed,
@@ -166,22 +172,30 @@ fn replay<'a>(kept: &'a [Kept], families: &[Family]) -> (usize, Vec<&'a Kept>) {
     (count, broken)
 }
 
-/// Adds the failing cases to those that are kept; where nothing is to be
-/// written they are only shown.
+/// Adds the first failing case of each family to those that are kept, and
+/// shows it; where nothing is to be written it is only shown.
 fn keep(path: &Path, kept: &[Kept], offenders: &[Kept]) -> Result<(), CannotAsk> {
-    let unseen: Vec<_> = offenders.iter().filter(|case| !kept.contains(case)).collect();
-    for case in &unseen {
-        println!("failing case: {}", case.line());
+    // Compared as text: a NaN is not equal to itself.
+    let mut seen: BTreeSet<_> = kept.iter().map(Kept::line).collect();
+    let mut families = BTreeSet::new();
+    let first = |case: &&Kept| families.insert(case.family.clone());
+    let unseen: Vec<_> =
+        offenders.iter().filter(first).map(Kept::line).filter(|l| seen.insert(l.clone())).collect();
+    for line in &unseen {
+        println!("failing case: {line}");
     }
     if unseen.is_empty() || std::env::var_os("CI").is_some() {
         return Ok(());
     }
     let mut bytes = store::read(path, MAX_BYTES)?.unwrap_or_default();
-    for case in &unseen {
-        bytes.extend(case.line().into_bytes());
-        bytes.push(b'\n');
+    for line in &unseen {
+        bytes.extend(line.bytes().chain([b'\n']));
     }
     store::write(path, &bytes)?;
-    println!("kept in {}", path.display());
+    println!(
+        "kept in {}, and judged again by every run: commit them with the fix, or take them out if \
+         the code was broken on purpose",
+        path.display()
+    );
     Ok(())
 }

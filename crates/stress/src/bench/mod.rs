@@ -68,19 +68,17 @@ pub struct Row {
 }
 
 impl Row {
-    /// What it is wrong by: larger is worse, and no error at all is worst.
-    fn wrongs(&self) -> [f64; 3] {
-        let error = if self.error_p999.is_nan() { f64::INFINITY } else { self.error_p999 };
-        [error, self.misclassified_ppm, self.leaks_ppm]
+    /// Its error: larger is worse, and no right hit at all is worst.
+    fn error(&self) -> f64 {
+        if self.error_p999.is_nan() { f64::INFINITY } else { self.error_p999 }
     }
 
-    /// Whether it is at most as slow and at most as wrong in each way as the
-    /// other, and better in one.
+    /// Whether it is at most as slow as the other and has at most its error,
+    /// and is better in one of them.
     fn beats(&self, other: &Self) -> bool {
-        let pairs = || self.wrongs().into_iter().zip(other.wrongs());
-        self.ns <= other.ns * SAME_TIME
-            && pairs().all(|(mine, its)| mine <= its)
-            && (self.ns * SAME_TIME < other.ns || pairs().any(|(mine, its)| mine < its))
+        let (mine, its) = (self.error(), other.error());
+        let as_fast = self.ns <= other.ns * SAME_TIME;
+        as_fast && mine <= its && (mine < its || self.ns * SAME_TIME < other.ns)
     }
 
     /// Whether it takes a miss for a hit, a hit for a miss, or leaks.
@@ -124,11 +122,18 @@ pub fn run(
     Report { schema: 1, features: features(), rows }
 }
 
-/// Marks the rows of one family that no other one beats: none is at most as
-/// slow and at most as wrong (in error, misclassification and leaks) and
-/// better in one of these. Times within 5 % are equal.
-pub fn mark_frontier(rows: &mut [Row]) {
-    let on: Vec<_> = rows.iter().map(|row| !rows.iter().any(|other| other.beats(row))).collect();
+/// Marks the rows of one family that take no hit for a miss or a miss for a
+/// hit, do not leak, and are not beaten by another such: none is at most as
+/// slow and has at most the error, and is better in one. Times within 5 % are
+/// equal.
+fn mark_frontier(rows: &mut [Row]) {
+    let on: Vec<_> = rows
+        .iter()
+        .map(|row| {
+            let beaten = || rows.iter().any(|other| !other.is_unsound() && other.beats(row));
+            !row.is_unsound() && !beaten()
+        })
+        .collect();
     for (row, on) in rows.iter_mut().zip(on) {
         row.frontier = on;
     }

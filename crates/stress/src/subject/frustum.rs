@@ -181,7 +181,9 @@ impl Body {
             about("uneven", UNEVEN, (1.0, 1e4)),
             about("tiny-to-huge", TINY_TO_HUGE, (1.0, 1e4)),
             aimed(self.tip, |_, drawn| drawn.a, (1e-3, 1e6)),
-            aimed("near-rim", |random, drawn| drawn.near_rim(random), (1e-3, 1e3)),
+            // An open body's rim is itself a place of ties.
+            aimed("near-rim", |random, drawn| drawn.near_rim(random), (1e-3, 1e3))
+                .with_ties(if caps { 1000.0 } else { 150_000.0 }),
             self.family(caps, "axis-parallel", DOUBLE, move |r| self.axis_parallel(r, caps, true)),
             self.family(caps, "axis-nearly", DOUBLE, move |r| self.axis_parallel(r, caps, false)),
             self.family(caps, "grazing", DOUBLE, move |random| {
@@ -192,7 +194,8 @@ impl Body {
             self.family(caps, "along-side", DOUBLE, move |random| {
                 let angle = random.sign() * TAU / 4.0 + random.sign() * random.decades(1e-9, 1.0);
                 self.grazing(random, caps, angle)
-            }),
+            })
+            .with_ties(if caps { 1000.0 } else { 60_000.0 }),
             self.family(caps, "inside", DOUBLE, move |random| {
                 let sizes = random.one_of(&[PLAIN, UNEVEN, TINY_TO_HUGE]);
                 let drawn = Drawn::new(random, self, sizes);

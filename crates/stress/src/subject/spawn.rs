@@ -26,7 +26,9 @@ mod style;
 
 /// Every family of spawned rays.
 pub(super) fn families() -> Vec<Family> {
-    STYLES.iter().map(|style| family(*style)).collect()
+    // The way inside is badly conditioned where coordinates are of all sizes.
+    let ties = |style: &Style| if style.any_coordinates { 5000.0 } else { 1000.0 };
+    STYLES.iter().map(|style| family(*style).with_ties(ties(style))).collect()
 }
 
 /// 1e9 rays over all families.

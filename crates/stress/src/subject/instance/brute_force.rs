@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use tracer::accel::Build;
 use tracer::glam::DVec3;
-use tracer::shape::{AxisBox, Disk, Mesh, Plane, Shape, Sphere, Triangle};
+use tracer::shape::{AxisBox, Cone, Cylinder, Disk, Mesh, Plane, Shape, Sphere, Torus, Triangle};
 use tracer::{Group, Hit, Interval, Material, Member, Object, Ray, Transform};
 
 use super::super::chain::{Chain, Limits, seed};
@@ -31,7 +31,7 @@ struct Pair {
 fn shape(random: &mut Random) -> Option<(Shape, Vec<DVec3>)> {
     let r = random.decades(0.03, 0.3);
     let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
-    Some(match random.below(12) {
+    Some(match random.below(15) {
         0..3 => (Sphere::new(DVec3::ZERO, r).ok()?.into(), axes.map(|axis| r * axis).to_vec()),
         3..6 => {
             let mut half = DVec3::splat(r);
@@ -55,6 +55,21 @@ fn shape(random: &mut Random) -> Option<(Shape, Vec<DVec3>)> {
             let ball = Solid::icosphere(0);
             let vertices: Vec<_> = ball.vertices.iter().map(|&p| r * p).collect();
             (Mesh::new(vertices.clone(), ball.faces, None, Build::Bvh).ok()?.into(), vertices)
+        }
+        11 => {
+            let (axis, caps) = (r * random.direction(), random.coin());
+            let tube = Cylinder::new(-axis, axis, 0.5 * r, caps).ok()?;
+            (tube.into(), vec![axis, axis + 0.5 * r * random.across(axis)])
+        }
+        12 => {
+            let (axis, caps) = (r * random.direction(), random.coin());
+            let cone = Cone::new(-axis, axis, 0.5 * r, caps).ok()?;
+            (cone.into(), vec![-axis, axis + 0.5 * r * random.across(axis)])
+        }
+        13 => {
+            let axis = random.direction();
+            let ring = Torus::new(DVec3::ZERO, axis, r, random.between(0.05, 1.0) * r).ok()?;
+            (ring.into(), vec![DVec3::ZERO, r * random.across(axis)])
         }
         _ => (Plane::new(-DVec3::ONE, random.direction()).ok()?.into(), vec![DVec3::ONE]),
     })

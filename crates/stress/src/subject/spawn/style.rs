@@ -23,7 +23,7 @@ pub(super) struct Style {
     flattest: f64,
     /// Corners with coordinates of any size between 1e-8 and 1e8, as in
     /// pbrt-v4's test.
-    any_coordinates: bool,
+    pub(super) any_coordinates: bool,
     /// Inside transforms that do no more than this.
     pub(super) instances: Option<Limits>,
 }
