@@ -111,7 +111,14 @@ pub(super) fn families() -> Vec<Family> {
             drawn.aimed(random, target, way, radii)
         }
     };
-    let half_turn = TAU / 2.0;
+    let touching = |name, about: fn(&mut Random) -> f64| {
+        let generate = move |random: &mut Random| {
+            let about = about(random);
+            Drawn::any(random).touching(random, about)
+        };
+        // Within 1e-14 of the surface is a tie, and these come that near.
+        family(name, true, generate).with_ties(5000.0)
+    };
     vec![
         family("random", true, about(None, (1.0, 1e2))),
         family("distance", true, about(None, (1.0, 1e5))),
@@ -120,14 +127,11 @@ pub(super) fn families() -> Vec<Family> {
         family("thin", true, about(Some(1e-3), (1.0, 1e5))),
         family("fat", true, about(Some(0.99), (1.0, 1e5))),
         family("horn", true, about(Some(1.0), (1.0, 1e5))),
-        family("inner-rim", true, move |random| Drawn::any(random).touching(random, half_turn)),
-        family("outer-rim", true, |random| Drawn::any(random).touching(random, 0.0)),
-        family("grazing", true, |random| {
-            let about = random.between(0.0, TAU);
-            Drawn::any(random).touching(random, about)
-        }),
+        touching("inner-rim", |_| TAU / 2.0),
+        touching("outer-rim", |_| 0.0),
+        touching("grazing", |random| random.between(0.0, TAU)),
         // The circle on which a plane lies upon the torus.
-        family("crown", true, |random| Drawn::any(random).touching(random, TAU / 4.0)),
+        touching("crown", |_| TAU / 4.0),
         family("in-plane", true, |random| {
             let drawn = Drawn::any(random);
             let (around, way) = (random.between(0.0, TAU), random.between(0.0, TAU));

@@ -102,7 +102,8 @@ impl Geometry for AxisBox {
     /// Outward nothing is met again; inward only the side where the ray leaves,
     /// unless the box is flat there.
     fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        let axis = from.part as usize / 2;
+        // A part that is no face of a box is taken for one.
+        let axis = (from.part as usize / 2).min(2);
         if from.outward || self.min[axis] == self.max[axis] {
             return None;
         }
@@ -112,7 +113,7 @@ impl Geometry for AxisBox {
     }
 
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
-        let (axis, higher) = (contact.part as usize / 2, contact.part % 2 == 1);
+        let (axis, higher) = ((contact.part as usize / 2).min(2), contact.part % 2 == 1);
         let mut point = ray.at(contact.t).clamp(self.min, self.max);
         point[axis] = if higher { self.max[axis] } else { self.min[axis] };
         let normal = UnitVec::axis(axis);
