@@ -1,7 +1,8 @@
 //! Rays that leave a surface: they must not meet it again at once, must find
 //! the far side of what they enter, and start close to where they should.
 //!
-//! Every object is flat or convex, so a ray that leaves outward meets nothing.
+//! Every object but the torus is flat or convex, so that a ray that leaves it
+//! outward meets nothing; of a torus the number of crossings is even then.
 
 use std::f64::consts::TAU;
 use std::sync::{Arc, LazyLock};
@@ -197,9 +198,28 @@ impl Spawn<'_> {
         gap / self.exact.gradient_length(normal)
     }
 
+    /// How often the ray crosses the surface.
+    fn crossings(&self, ray: &Ray, range: Interval) -> u32 {
+        let mut after = range;
+        let mut count = 0;
+        while let Some(hit) = self.world.intersect(ray, after) {
+            count += 1;
+            after = Interval::new(hit.t, range.hi);
+        }
+        count
+    }
+
     fn follow(&self, hit: &Hit, ray: &Ray, range: Interval, outward: bool, tally: &mut Tally) {
         let again = self.world.intersect(ray, range);
         let shadow = self.world.occludes(ray, range);
+        if self.object.is_hollow() {
+            // Out of it one may get in again, but then also out.
+            tally.case();
+            if self.crossings(ray, range) % 2 != u32::from(!outward) {
+                tally.count(if outward { Metric::SelfHits } else { Metric::WrongIdentity });
+            }
+            return;
+        }
         if outward || !self.object.is_closed() {
             tally.case();
             if again.is_some() || shadow {

@@ -1,7 +1,7 @@
 //! The objects that rays are spawned from, and their surfaces exactly.
 
 use tracer::glam::DVec3;
-use tracer::shape::{AxisBox, Disk, Plane, Shape, Sphere, Triangle};
+use tracer::shape::{AxisBox, Cone, Cylinder, Disk, Plane, Shape, Sphere, Torus, Triangle};
 
 use crate::Case;
 use crate::meshes::Solid;
@@ -31,6 +31,22 @@ pub(super) enum Object {
         point: DVec3,
         normal: DVec3,
     },
+    /// With caps.
+    Cylinder {
+        ends: [DVec3; 2],
+        radius: f64,
+    },
+    /// With its base; the apex first.
+    Cone {
+        ends: [DVec3; 2],
+        radius: f64,
+    },
+    Torus {
+        center: DVec3,
+        axis: DVec3,
+        major: f64,
+        minor: f64,
+    },
     /// One of a family's meshes, all of them convex.
     Mesh {
         number: usize,
@@ -50,6 +66,15 @@ impl Object {
             }
             Self::Plane { point, normal } => case(4.0).with_point(point).with_point(normal),
             Self::Mesh { number } => case(5.0).with(number as f64),
+            Self::Cylinder { ends: [a, b], radius } => {
+                case(6.0).with_point(a).with_point(b).with(radius)
+            }
+            Self::Cone { ends: [a, b], radius } => {
+                case(7.0).with_point(a).with_point(b).with(radius)
+            }
+            Self::Torus { center, axis, major, minor } => {
+                case(8.0).with_point(center).with_point(axis).with(major).with(minor)
+            }
         };
         while case.numbers().len() < NUMBERS {
             case = case.with(0.0);
@@ -66,6 +91,14 @@ impl Object {
             2 => Self::Box { min: point(1), max: point(4) },
             3 => Self::Disk { center: point(1), normal: point(4), radius: case.number(7) },
             4 => Self::Plane { point: point(1), normal: point(4) },
+            6 => Self::Cylinder { ends: [point(1), point(4)], radius: case.number(7) },
+            7 => Self::Cone { ends: [point(1), point(4)], radius: case.number(7) },
+            8 => Self::Torus {
+                center: point(1),
+                axis: point(4),
+                major: case.number(7),
+                minor: case.number(8),
+            },
             _ => Self::Mesh { number: case.number(1) as usize },
         }
     }
@@ -78,13 +111,25 @@ impl Object {
             Self::Box { min, max } => AxisBox::new(min, max).ok()?.into(),
             Self::Disk { center, normal, radius } => Disk::new(center, normal, radius).ok()?.into(),
             Self::Plane { point, normal } => Plane::new(point, normal).ok()?.into(),
+            Self::Cylinder { ends: [a, b], radius } => {
+                Cylinder::new(a, b, radius, true).ok()?.into()
+            }
+            Self::Cone { ends: [a, b], radius } => Cone::new(a, b, radius, true).ok()?.into(),
+            Self::Torus { center, axis, major, minor } => {
+                Torus::new(center, axis, major, minor).ok()?.into()
+            }
             Self::Mesh { .. } => return None,
         })
     }
 
+    /// Whether a ray that leaves it outward may meet it again.
+    pub(super) fn is_hollow(&self) -> bool {
+        matches!(self, Self::Torus { .. })
+    }
+
     /// Whether it has an inside.
     pub(super) fn is_closed(&self) -> bool {
-        matches!(self, Self::Sphere { .. } | Self::Box { .. } | Self::Mesh { .. })
+        !matches!(self, Self::Triangle(_) | Self::Disk { .. } | Self::Plane { .. })
     }
 
     /// The largest of its own numbers: what its formulas round in proportion
@@ -120,6 +165,32 @@ impl Object {
             Self::Disk { center: p, normal, .. } | Self::Plane { point: p, normal } => {
                 height(p, &V3::of(normal), x)
             }
+            Self::Cylinder { ends: [a, b], radius } => match part {
+                0 => {
+                    let (_, out, from_axis) = about(a, b - a, x);
+                    (from_axis - radius, out)
+                }
+                1 => height(a, &V3::difference(a, b), x),
+                _ => height(b, &V3::difference(b, a), x),
+            },
+            Self::Cone { ends: [apex, base], radius } => {
+                if part != 0 {
+                    return height(base, &V3::difference(base, apex), x);
+                }
+                // Across the side, which widens by the radius over the length.
+                let axis = base - apex;
+                let (length, (along, out, from_axis)) = (axis.length(), about(apex, axis, x));
+                let side = length.hypot(radius);
+                let normal = (out * length - axis * (radius / length)) / side;
+                ((from_axis * length - along * radius) / side, normal)
+            }
+            Self::Torus { center, axis, major, minor } => {
+                let (along, out, from_axis) = about(center, axis, x);
+                let beyond = from_axis - major;
+                let from_ring = beyond.hypot(along);
+                let normal = (out * beyond + axis.normalize() * along) / from_ring;
+                (from_ring - minor, normal)
+            }
             Self::Mesh { .. } => solid
                 .map_or((f64::INFINITY, DVec3::Z), |solid| above(solid.corners(part as usize), x)),
         }
@@ -152,6 +223,18 @@ impl Object {
             _ => None,
         }
     }
+}
+
+/// How far `x` is along the axis from `a`, the unit vector to it from the
+/// axis, and how far that is.
+fn about(a: DVec3, axis: DVec3, x: &V3<Dd>) -> (f64, DVec3, f64) {
+    let (axis, from_a) = (V3::<Dd>::of(axis), *x - V3::of(a));
+    let square = axis.length_squared();
+    let along = from_a.dot(&axis);
+    let across = from_a - axis.scale(&(along / square));
+    let from_axis = across.length();
+    let out = across.to_f64() / from_axis.to_f64();
+    ((along / square.sqrt()).to_f64(), out, from_axis.to_f64())
 }
 
 /// How high `x` is above the plane of a triangle, and its normal.

@@ -94,7 +94,7 @@ impl Style {
         if self.any_coordinates {
             return any_coordinates(random);
         }
-        let kind = random.below(6);
+        let kind = random.below(9);
         if kind == 5 {
             let number = random.below(BALLS);
             let Place { scale, offset, .. } = self.balls()[number];
@@ -116,9 +116,35 @@ impl Style {
                 let target = center + 0.9 * half * random.point();
                 (Object::Box { min: center - half, max: center + half }, target)
             }
-            _ => flat(kind, center, size, random),
+            3 | 4 => flat(kind, center, size, random),
+            _ => round(kind, center, size, random),
         };
         (object, target, size)
+    }
+}
+
+/// A cylinder, a cone or a torus, about any direction or an axis, and a point
+/// in it.
+fn round(kind: usize, center: DVec3, size: f64, random: &mut Random) -> (Object, DVec3) {
+    let any = random.direction();
+    let axis = size * random.one_of(&[any, any, DVec3::X, DVec3::Y, DVec3::Z]);
+    let (radius, out) = (size * random.between(0.1, 1.0), random.across(axis));
+    let (ends, share) = ([center - axis, center + axis], random.unit());
+    match kind {
+        6 => {
+            let inside = center + axis * random.between(-0.9, 0.9) + out * (0.9 * radius * share);
+            (Object::Cylinder { ends, radius }, inside)
+        }
+        7 => {
+            let part = random.between(0.05, 0.95);
+            let inside = ends[0] + (2.0 * axis + out * (0.9 * radius * share)) * part;
+            (Object::Cone { ends, radius }, inside)
+        }
+        _ => {
+            let minor = 0.9 * radius;
+            let inside = center + out * (size + 0.9 * minor * random.between(-1.0, 1.0));
+            (Object::Torus { center, axis, major: size, minor }, inside)
+        }
     }
 }
 
