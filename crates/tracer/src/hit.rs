@@ -39,7 +39,9 @@ impl Hit {
     ///
     /// Its origin is moved off the surface, to the side it leaves on, by twice
     /// the point's error bound and no fixed distance; and it knows which
-    /// surface it leaves, so that no rounding makes it meet that at once.
+    /// surface it leaves, so that no rounding makes it meet that at once. It is
+    /// a ray for the group that gave this hit: in another one the object's
+    /// number is another object's.
     pub fn leaving(&self, direction: DVec3) -> Ray {
         self.leave(direction, |_| direction)
     }

@@ -186,6 +186,11 @@ impl Body {
                 .with_ties(if caps { 1000.0 } else { 150_000.0 }),
             self.family(caps, "axis-parallel", DOUBLE, move |r| self.axis_parallel(r, caps, true)),
             self.family(caps, "axis-nearly", DOUBLE, move |r| self.axis_parallel(r, caps, false)),
+            self.family(caps, "across-axis", DOUBLE, move |r| self.across_axis(r, caps, true)),
+            // Those that pass beyond an end are not told from rays that meet
+            // its plane far away.
+            self.family(caps, "nearly-across", DOUBLE, move |r| self.across_axis(r, caps, false))
+                .with_ties(if caps { 150_000.0 } else { 1000.0 }),
             self.family(caps, "grazing", DOUBLE, move |random| {
                 let angle = random.between(0.0, TAU);
                 self.grazing(random, caps, angle)
@@ -230,6 +235,24 @@ impl Body {
         // behind of that.
         let side = drawn.at(random, 0.5, part) - 0.5 * drawn.axis();
         drawn.case(caps, (side + origin_s * drawn.axis(), direction))
+    }
+
+    /// A ray across the axis, which meets no end plane, or one of them very far
+    /// away.
+    fn across_axis(self, random: &mut Random, caps: bool, exact: bool) -> Case {
+        let mut drawn = Drawn::new(random, self, PLAIN);
+        let along = random.below(3);
+        // Along an axis of space and of few digits, so that "across" is exact.
+        drawn.a = f32_point(drawn.a);
+        let length = f32_of(drawn.axis().length()) * random.sign();
+        drawn.b = drawn.a;
+        drawn.b[along] += length;
+        let (s, part) = (random.between(-0.2, 1.2), random.between(0.0, 1.2));
+        let target = drawn.at(random, s, part);
+        let mut way = random.across(drawn.axis());
+        way[along] = if exact { 0.0 } else { random.sign() * random.decades(1e-17, 1e-9) };
+        let distance = drawn.radius * random.decades(2.0, 1e4);
+        drawn.case(caps, towards(target, way, distance, random.decades(0.1, 10.0)))
     }
 
     /// A ray that passes the side closest at a point just in or outside it, at

@@ -113,7 +113,8 @@ fn family(style: Style) -> Family {
             };
             let exact = chain.as_ref().map_or_else(Exact::identity, Chain::exact);
             let solid = ball.map(|ball| &ball.solid);
-            Spawn { case, object, solid, world, exact }.judge(tallies);
+            let chained = chain.is_some();
+            Spawn { case, object, solid, world, exact, chained }.judge(tallies);
         }),
     }
 }
@@ -144,6 +145,8 @@ struct Spawn<'a> {
     solid: Option<&'a Solid>,
     world: &'a Group,
     exact: Exact,
+    /// Whether it stands in instances.
+    chained: bool,
 }
 
 impl Spawn<'_> {
@@ -167,6 +170,7 @@ impl Spawn<'_> {
         let rays =
             [(known, ahead, 0.0), (unknown, ahead, 0.0), (plain, after, TMIN), (plain, ahead, 0.0)];
         let bound = self.gap(hit.part, hit.point).abs() / hit.point_error;
+        let is_upright = self.is_upright(&hit);
         let asked = if is_shown(self.case) { tallies.len() } else { 1 };
         for ((ray, range, skipped), tally) in rays.into_iter().zip(tallies).take(asked) {
             if !(ray.origin.is_finite() && ray.direction.is_finite()) {
@@ -177,6 +181,9 @@ impl Spawn<'_> {
             let offset = self.gap(hit.part, ray.origin).abs() + skipped;
             tally.most(Metric::OffsetOverSize, offset / size);
             tally.most(Metric::ErrorOverBound, bound);
+            if !is_upright {
+                tally.count(Metric::WrongIdentity);
+            }
             self.follow(&hit, &ray, range, outward, tally);
         }
     }
@@ -189,6 +196,20 @@ impl Spawn<'_> {
         let (u, v) = n.any_orthonormal_pair();
         let along = (1.0 - cosine * cosine).max(0.0).sqrt();
         n * cosine + (u * cos + v * sin) * along
+    }
+
+    /// Whether the hit's normal is the surface's, outward, to far within what
+    /// the rounding of a point may turn it; of instances nothing is asked.
+    fn is_upright(&self, hit: &Hit) -> bool {
+        /// A degree's cosine from 1.
+        const TURNED: f64 = 1e-4;
+        if self.chained {
+            return true;
+        }
+        let (_, normal) = self.object.gap(hit.part, &V3::of(hit.point), self.solid);
+        let cosine = normal.dot(*hit.geometric_normal);
+        // A triangle's front is where its corners say.
+        cosine > 1.0 - TURNED
     }
 
     /// How far a point of the world is outside of the surface.

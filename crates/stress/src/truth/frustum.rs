@@ -74,6 +74,10 @@ impl Frustum {
         if !self.caps {
             return Some(Self::open(&frame, &part));
         }
+        // Surely between the ends there, as well as inside the side.
+        if frame.beyond_ends(&nearest, 0.0) == Ordering::Less {
+            return Self::solid(&frame);
+        }
         // The other way round: with the ends moved inward, still inside.
         let Some(part) = course.ahead(-TIE) else { return Some(FrustumTruth::TIE) };
         let inner = course.nearest(&part);
