@@ -62,7 +62,7 @@ pub struct Row {
     pub misclassified_ppm: f64,
     /// Leaks per million rays aimed at seams of a mesh; 0 for families without.
     pub leaks_ppm: f64,
-    /// Whether no other kernel of the family is better, as [`mark_frontier`]
+    /// Whether no other kernel of the family is better, as `mark_frontier`
     /// says.
     pub frontier: bool,
 }
