@@ -11,9 +11,8 @@ fn vector<R: Real>(p: DVec3) -> Vector<R> {
     p.to_array().map(R::of)
 }
 
-/// The ray whose first number is number `first` of the case.
-fn ray<R: Real>(case: &Case, first: usize) -> Ray<R> {
-    let ray = case.ray(first);
+/// A ray in the precision.
+fn in_precision<R: Real>(ray: &tracer::Ray) -> Ray<R> {
     Ray { origin: vector(ray.origin), direction: vector(ray.direction) }
 }
 
@@ -29,7 +28,7 @@ impl<R: Real> AtSphere<R> {
     /// The case, each number rounded to the precision.
     pub fn new(case: &Case) -> Self {
         let (center, radius) = (vector(case.point(0)), R::of(case.number(3)));
-        Self { sphere: sphere::Sphere { center, radius }, ray: ray(case, 4) }
+        Self { sphere: sphere::Sphere { center, radius }, ray: in_precision(&case.ray(4)) }
     }
 }
 
@@ -44,7 +43,11 @@ pub struct AtTriangle<R> {
 impl<R: Real> AtTriangle<R> {
     /// The case, each number rounded to the precision.
     pub fn new(case: &Case) -> Self {
-        let corners = [0, 3, 6].map(|first| vector(case.point(first)));
-        Self { corners, ray: ray(case, 9) }
+        Self::of([0, 3, 6].map(|first| case.point(first)), &case.ray(9))
+    }
+
+    /// These corners and this ray, each number rounded to the precision.
+    pub fn of(corners: [DVec3; 3], ray: &tracer::Ray) -> Self {
+        Self { corners: corners.map(vector), ray: in_precision(ray) }
     }
 }

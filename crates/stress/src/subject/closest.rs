@@ -98,18 +98,27 @@ fn targets(inputs: Inputs) -> Vec<(Metric, Option<f64>)> {
 /// number halfway between two `f32`s, which is 2^-29 beyond one half.
 const ULP32_DIGITS: f64 = 1e6;
 
-/// Holds one answer against the exact one.
-pub(super) fn judge(truth: &Truth, answer: Option<f64>, tally: &mut Tally) {
+/// Counts the case; whether it is left to hold the answer against the truth:
+/// it is a number or none, and the case is no tie.
+pub(super) fn is_decided(tie: bool, answer: Option<f64>, tally: &mut Tally) -> bool {
     if answer.is_some_and(|t| !t.is_finite()) {
         tally.case();
         tally.count(Metric::NotFinite);
-        return;
+        return false;
     }
-    if truth.tie {
+    if tie {
         tally.tie();
-        return;
+        return false;
     }
     tally.case();
+    true
+}
+
+/// Holds one answer against the exact one.
+pub(super) fn judge(truth: &Truth, answer: Option<f64>, tally: &mut Tally) {
+    if !is_decided(truth.tie, answer, tally) {
+        return;
+    }
     match (truth.t, answer) {
         (None, None) => {}
         (Some(_), None) => tally.count(Metric::FalseMisses),
@@ -142,6 +151,24 @@ fn ulp_f32(x: f64) -> f32 {
     below.next_up() - below
 }
 
+/// Numbers on which arithmetic has rules of its own.
+pub(super) const SPECIAL: [f64; 14] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    0.0,
+    -0.0,
+    5e-324,
+    f64::MIN_POSITIVE,
+    f64::MAX,
+    f64::MIN,
+    1e20,
+    -1e20,
+    1e-200,
+    1e200,
+    1.0,
+];
+
 /// Cases that every primitive is asked: a ray with NaN, infinities, zeros of
 /// both signs, denormal and enormous numbers in any of its slots. A hit must
 /// be finite, and no ray with a NaN or an infinity has one.
@@ -152,22 +179,6 @@ pub(super) fn special(
     volume: Volume,
     generate: impl Fn(&mut Random) -> Case + Send + Sync + 'static,
 ) -> Family {
-    const SPECIAL: [f64; 14] = [
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        0.0,
-        -0.0,
-        5e-324,
-        f64::MIN_POSITIVE,
-        f64::MAX,
-        f64::MIN,
-        1e20,
-        -1e20,
-        1e-200,
-        1e200,
-        1.0,
-    ];
     let kernels = answers.iter().map(|(kernel, _)| *kernel).collect();
     Family {
         primitive,

@@ -218,16 +218,9 @@ fn contact(case: &Case) -> Option<f64> {
 
 /// Holds one answer against the exact roots.
 fn judge(truth: &TorusTruth, answer: Option<f64>, tally: &mut Tally) {
-    if answer.is_some_and(|t| !t.is_finite()) {
-        tally.case();
-        tally.count(Metric::NotFinite);
+    if !closest::is_decided(truth.tie, answer, tally) {
         return;
     }
-    if truth.tie {
-        tally.tie();
-        return;
-    }
-    tally.case();
     match (truth.roots.split_first(), answer) {
         (None, None) => {}
         (Some(_), None) => tally.count(Metric::FalseMisses),

@@ -7,34 +7,14 @@ use tracer::{Camera, Refused, UnitVec};
 
 use super::{CAMERA_AT, eye, look_at_of, make, new_look_at, pixel_of, view_of};
 use crate::family::{Family, Kernel, Volume};
+use crate::subject::closest::SPECIAL;
 use crate::{Case, Metric, Random};
 
 const VOLUME: Volume = Volume { quick: 200_000, full: 5_000_000 };
 
-/// The last are the largest and the smallest lengths that are accepted, with
-/// their neighbors.
-const SPECIAL: [f64; 20] = [
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    0.0,
-    -0.0,
-    5e-324,
-    f64::MIN_POSITIVE,
-    f64::MAX,
-    f64::MIN,
-    1e20,
-    -1e20,
-    1e-200,
-    1e200,
-    1.0,
-    -1.0,
-    1e60,
-    1e60_f64.next_up(),
-    -1e60,
-    1e-60,
-    1e-60_f64.next_down(),
-];
+/// The largest and the smallest lengths that are accepted, with their
+/// neighbors.
+const LIMITS: [f64; 6] = [-1.0, 1e60, 1e60_f64.next_up(), -1e60, 1e-60, 1e-60_f64.next_down()];
 
 /// The numbers of a view, behind the pixel.
 const VIEW_NUMBERS: usize = 15;
@@ -77,7 +57,9 @@ fn family(
             for _ in 0..=random.below(4) {
                 let slot = CAMERA_AT + random.below(numbers);
                 if let Some(number) = all.get_mut(slot) {
-                    *number = random.one_of(&SPECIAL);
+                    let all = SPECIAL.len() + LIMITS.len();
+                    *number =
+                        SPECIAL.into_iter().chain(LIMITS).nth(random.below(all)).unwrap_or(0.0);
                 }
             }
             Case::of(&all).unwrap_or(case)

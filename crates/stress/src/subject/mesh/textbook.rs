@@ -7,6 +7,8 @@ use tracer::lecture::{triangle_inside_edges, triangle_linear_system};
 use tracer::{Interval, Ray};
 
 use crate::Kernel;
+use crate::kernel::of_case::AtTriangle;
+use crate::kernel::{self, Range, Real};
 use crate::meshes::Solid;
 
 /// Whether a triangle is hit ahead of the ray.
@@ -14,14 +16,8 @@ pub(super) type Test = fn([DVec3; 3], &Ray) -> bool;
 
 /// The kernels with their tests.
 pub(super) const ALL: [(Kernel, Test); 4] = [
-    (Kernel::textbook("moeller-trumbore-f32"), |corners, ray| {
-        let single = |p: DVec3| p.to_array().map(|x| x as f32);
-        moeller_trumbore_f32(corners.map(single), single(ray.origin), single(ray.direction))
-    }),
-    (Kernel::textbook("moeller-trumbore-f64"), |corners, ray| {
-        let corners = corners.map(|p| p.to_array());
-        moeller_trumbore_f64(corners, ray.origin.to_array(), ray.direction.to_array())
-    }),
+    (Kernel::textbook("moeller-trumbore-f32"), moeller_trumbore::<f32>),
+    (Kernel::textbook("moeller-trumbore-f64"), moeller_trumbore::<f64>),
     (Kernel::textbook("inside-edges-f64"), |corners, ray| {
         triangle_inside_edges(corners, ray, Interval::AHEAD).is_some()
     }),
@@ -30,34 +26,11 @@ pub(super) const ALL: [(Kernel, Test); 4] = [
     }),
 ];
 
-/// Makes the test in one precision.
-///
-/// Source: Moeller, Trumbore, "Fast, Minimum Storage Ray/Triangle
-/// Intersection", 1997, without the paper's absolute tolerance.
-macro_rules! moeller_trumbore {
-    ($name:ident, $float:ty) => {
-        fn $name([a, b, c]: [[$float; 3]; 3], p: [$float; 3], d: [$float; 3]) -> bool {
-            type V = [$float; 3];
-            let minus = |a: V, b: V| -> V { [a[0] - b[0], a[1] - b[1], a[2] - b[2]] };
-            let dot = |a: V, b: V| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-            let cross = |a: V, b: V| -> V {
-                [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-            };
-            let (e, f) = (minus(b, a), minus(c, a));
-            let across = cross(d, f);
-            let inverse = 1.0 / dot(e, across);
-            let from_a = minus(p, a);
-            let u = dot(from_a, across) * inverse;
-            let turned = cross(from_a, e);
-            let v = dot(d, turned) * inverse;
-            let t = dot(f, turned) * inverse;
-            u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < <$float>::INFINITY
-        }
-    };
+/// Whether the kernel of this precision hits the triangle.
+fn moeller_trumbore<R: Real>(corners: [DVec3; 3], ray: &Ray) -> bool {
+    let at = AtTriangle::<R>::of(corners, ray);
+    kernel::triangle::moeller_trumbore(&at.corners, &at.ray, Range::AHEAD).is_some()
 }
-
-moeller_trumbore!(moeller_trumbore_f32, f32);
-moeller_trumbore!(moeller_trumbore_f64, f64);
 
 /// How many of these triangles the test hits; if it is none, 1 if it hits any
 /// other triangle of the solid, as rounding may have moved the ray to one.
