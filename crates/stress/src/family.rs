@@ -75,12 +75,19 @@ impl Family {
         all
     }
 
+    /// The family, held to at most `most` of this metric.
+    #[must_use]
+    pub fn held_to(mut self, metric: Metric, most: f64) -> Self {
+        self.targets.retain(|(other, _)| *other != metric);
+        self.targets.push((metric, Some(most)));
+        self
+    }
+
     /// The family, which is made so close to the edge that up to this many
     /// cases in a million are ties.
     #[must_use]
-    pub fn with_ties(mut self, ppm: f64) -> Self {
-        self.targets.push((Metric::Ties, Some(ppm)));
-        self
+    pub fn with_ties(self, ppm: f64) -> Self {
+        self.held_to(Metric::Ties, ppm)
     }
 
     /// An empty tally for each kernel.

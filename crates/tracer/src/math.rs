@@ -40,6 +40,29 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, a.mul_add(b, -product))
 }
 
+/// A number as a rounded value and a rest below its last place: twice the
+/// digits.
+pub(crate) type Long = (f64, f64);
+
+/// `a b` of long numbers, right to a few `u^2`.
+pub(crate) fn long_product(a: Long, b: Long) -> Long {
+    let (product, rest) = two_product(a.0, b.0);
+    (product, rest + (a.0 * b.1 + a.1 * b.0))
+}
+
+/// `a + b` of long numbers, right to a few `u^2` of the larger.
+pub(crate) fn long_sum(a: Long, b: Long) -> Long {
+    let (sum, rest) = two_sum(a.0, b.0);
+    two_sum(sum, rest + (a.1 + b.1))
+}
+
+/// `a / b` of long numbers, rounded once but for a few `u^2`.
+pub(crate) fn long_quotient(a: Long, b: Long) -> f64 {
+    let quotient = a.0 / b.0;
+    let left = (-quotient).mul_add(b.0, a.0) + (a.1 - quotient * b.1);
+    quotient + left / b.0
+}
+
 /// `a . b` as if computed with twice the digits and rounded once, so that
 /// nothing is lost where the products cancel.
 ///
@@ -150,6 +173,20 @@ mod tests {
         assert_eq!(two_sum(1e-20, 1.0), (1.0, 1e-20));
         let x = 1.0 + f64::EPSILON;
         assert_eq!(two_product(x, x), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+    }
+
+    #[test]
+    fn long_numbers_keep_twice_the_digits() {
+        // (1/3)^2 - 1/9 and a third of 1, both to 2^-105.
+        let third = (1.0 / 3.0, 1.0 / 3.0_f64 * f64::EPSILON / 4.0);
+        let ninth = long_product(third, third);
+        let (nines, rest) = long_product(ninth, (9.0, 0.0));
+        let off = long_sum((nines, rest), (-1.0, 0.0));
+        assert!((off.0 + off.1).abs() < 1e-31, "{off:?}");
+        assert_eq!(long_quotient((1.0, 0.0), (3.0, 0.0)), 1.0 / 3.0);
+        // 1 + 2^-53 is no number; divided by 1 - 2^-53 it is 1 + 2^-52 after one rounding.
+        let rest = UNIT_ROUNDOFF;
+        assert_eq!(long_quotient((1.0, rest), (1.0, -rest)), 1.0 + f64::EPSILON);
     }
 
     #[test]

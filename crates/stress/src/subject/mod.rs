@@ -8,6 +8,7 @@ mod camera;
 mod chain;
 mod closest;
 mod cone;
+mod creases;
 mod cylinder;
 mod disk;
 mod frustum;
@@ -40,6 +41,7 @@ pub fn all() -> Vec<Family> {
         mesh::families(),
         instance::families(),
         spawn::families(),
+        creases::families(),
         camera::families(),
         image::families(),
     ]

@@ -42,24 +42,22 @@ pub(super) fn families() -> Vec<Family> {
     ]);
     let single = of(&answers);
     let special_volume = Volume { quick: 100_000, full: 10_000_000 };
+    let double = |name, generate: fn(&mut Random) -> Case| {
+        double.family(name, DOUBLE, VOLUME, generate).held_to(Metric::Ulp64, ULP64)
+    };
     let mut families = vec![
         single.family("far-f32", SINGLE, VOLUME, far_f32),
         single.family("grazing-f32", SINGLE_GRAZING, VOLUME, grazing_f32),
-        double.family("far", DOUBLE, VOLUME, far),
-        double.family("grazing", DOUBLE, VOLUME, grazing),
-        double.family("inside", DOUBLE, VOLUME, inside),
-        double.family("near-surface", DOUBLE, VOLUME, near_surface),
-        double.family("sizes", DOUBLE, VOLUME, sizes),
-        double.family("world-1e5", DOUBLE, VOLUME, world),
+        double("far", far),
+        double("grazing", grazing),
+        double("inside", inside),
+        double("near-surface", near_surface),
+        double("sizes", sizes),
+        double("world-1e5", world),
         special("sphere", answers, RAY, special_volume, |random| {
             aimed(random, DVec3::ZERO, 1.0, 3.0, 0.5)
         }),
     ];
-    for family in &mut families {
-        for (_, target) in family.targets.iter_mut().filter(|(m, _)| *m == Metric::Ulp64) {
-            *target = Some(ULP64);
-        }
-    }
     families.extend(sphere_surface::families());
     families
 }

@@ -125,8 +125,18 @@ impl Mesh {
 
     fn any(&self, ray: &Ray, range: Interval, counts: impl Fn(u32) -> bool) -> bool {
         let shear = Shear::new(ray);
-        let test = |i| counts(i) && shear.intersect(self.corners(i), range).is_some();
+        let test = |i| shear.intersect(self.corners(i), range).is_some() && counts(i);
         self.accelerator.any(ray, range, test)
+    }
+
+    /// Whether a ray along `direction` from triangle `from` may meet triangle
+    /// `other`. It never does the one it leaves, nor one that all of it lies in
+    /// front of while the ray goes forward, or behind while it goes back: so in
+    /// an edge or corner, where the ray starts on several, it meets none that
+    /// its start's rounding alone puts in its way.
+    fn may_meet(&self, direction: DVec3, from: u32, other: u32) -> bool {
+        let of = |i| self.corners(i);
+        other != from && !triangle::is_turned_from(of(other), of(from), direction)
     }
 
     fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -153,9 +163,10 @@ impl Geometry for Mesh {
         self.closest(ray, range, |_| true)
     }
 
-    /// The triangle that the ray leaves is left for good.
+    /// The triangle that the ray leaves is left for good, and so are those that
+    /// meet it in a crease.
     fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        self.closest(ray, range, |i| i != from.part)
+        self.closest(ray, range, |i| self.may_meet(ray.direction, from.part, i))
     }
 
     fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
@@ -174,7 +185,7 @@ impl Geometry for Mesh {
     }
 
     fn occludes_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> bool {
-        self.any(ray, range, |i| i != from.part)
+        self.any(ray, range, |i| self.may_meet(ray.direction, from.part, i))
     }
 }
 

@@ -5,7 +5,10 @@
 use glam::DVec3;
 
 use super::{Contact, Departure, Geometry, SurfacePoint};
-use crate::math::{UNIT_ROUNDOFF, difference_of_products, max_abs, power_of_two_below, two_sum};
+use crate::math::{
+    Long, UNIT_ROUNDOFF, cross, difference_of_products, dot, dot_of_difference, long_product,
+    long_quotient, long_sum, max_abs, power_of_two_below, two_sum,
+};
 use crate::refused::{point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
 
@@ -78,15 +81,47 @@ pub(super) fn bounds(corners: [DVec3; 3]) -> Aabb {
 /// error of `t`.
 pub(super) fn surface([a, b, c]: [DVec3; 3], normal: UnitVec, contact: &Contact) -> SurfacePoint {
     let [beta, gamma] = contact.barycentric;
-    let size = max_abs(a).max(max_abs(b)).max(max_abs(c));
     SurfacePoint {
         point: a + beta * (b - a) + gamma * (c - a),
-        // The interpolation is off by 8 roundings at most; the factor also
-        // covers the shear of a ray that leaves along the triangle.
-        error: 16.0 * UNIT_ROUNDOFF * size,
+        error: point_error([a, b, c]),
         geometric_normal: normal,
         shading_normal: normal,
     }
+}
+
+/// How far off the triangle a point of it may be by rounding: the
+/// interpolation is off by 8 roundings at most, and the factor also covers the
+/// shear of a ray that leaves along the triangle.
+fn point_error(corners: [DVec3; 3]) -> f64 {
+    16.0 * UNIT_ROUNDOFF * corners.into_iter().map(max_abs).fold(0.0, f64::max)
+}
+
+/// Whether `direction` leads away from the triangle's plane to the side on
+/// which all of `start`'s corners are: whatever point of `start` a ray comes
+/// from, it cannot meet the triangle.
+///
+/// What rounding might have done counts against the direction and for the
+/// corners: one that is in the plane, such as a shared one, or as close to it
+/// as the start of a ray may be by its own rounding, is on either side.
+pub(super) fn is_turned_from([a, b, c]: [DVec3; 3], start: [DVec3; 3], direction: DVec3) -> bool {
+    // The edges are rounded once, their products a few times, and the dot
+    // products are as good as exact: 20 roundings in all.
+    const ROUNDINGS: f64 = 32.0;
+    let (e, f) = (b - a, c - a);
+    let unit = max_abs(e).max(max_abs(f));
+    let (e, f) = (e / unit, f / unit);
+    let normal = cross(e, f);
+    let doubt = ROUNDINGS * UNIT_ROUNDOFF * (max_abs(e) * max_abs(f));
+    let forward = dot(direction, normal);
+    if !(forward.abs() > doubt * max_abs(direction)) {
+        return false;
+    }
+    let side = forward.signum();
+    let start_error = point_error(start) * normal.length();
+    start.into_iter().all(|p| {
+        let height = side * dot_of_difference(p, a, normal);
+        height >= -(doubt * max_abs(p - a) + start_error)
+    })
 }
 
 /// A ray made ready for many triangles: the map that takes it to the positive
@@ -224,7 +259,7 @@ impl Shear {
         let Edges { u, v, w, .. } = edges;
         // Positive tests: a NaN is neither, so it is a miss.
         let inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
-        if inside { self.contact(&edges, range) } else { None }
+        if inside { self.contact(corners, &edges, range) } else { None }
     }
 
     /// The contact of the ray with a triangle of a mesh, which shares its
@@ -239,7 +274,7 @@ impl Shear {
         let v = if v == 0.0 { self.tie(a, c) } else { v };
         let w = if w == 0.0 { self.tie(b, a) } else { w };
         let inside = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
-        if inside { self.contact(&edges, range) } else { None }
+        if inside { self.contact(corners, &edges, range) } else { None }
     }
 
     /// The sign of the edge function of `p` and `q`, where it is 0, for a ray
@@ -253,13 +288,60 @@ impl Shear {
 
     /// The contact inside all three edges. The weights are of one sign, so
     /// nothing cancels: `t` stays between those of the corners.
-    fn contact(&self, edges: &Edges, range: Interval) -> Option<Contact> {
-        let Edges { moved: [a, b, c], u, v, w } = edges;
+    fn contact(&self, corners: [DVec3; 3], edges: &Edges, range: Interval) -> Option<Contact> {
+        let Edges { moved: [a, b, c], u, v, w } = *edges;
         let det = u + v + w;
-        let t = (u * a[2] + v * b[2] + w * c[2]) / det / self.d[2] / self.unit;
+        let along = (u * a[2] + v * b[2] + w * c[2]) / det;
+        // The areas are off by 3 roundings of their products, and each draws
+        // the mean towards its corner.
+        let draw = |p: [f64; 3], q: [f64; 3], corner: [f64; 3]| {
+            ((p[0] * q[1]).abs() + (p[1] * q[0]).abs()) * (corner[2] - along).abs()
+        };
+        let drawn = draw(c, b, a) + draw(a, c, b) + draw(b, a, c);
+        let plain = || (along / self.d[2] / self.unit, [v / det, w / det]);
+        let (t, barycentric) = if drawn > MOST_DRAWN * (det * along).abs() {
+            self.long_mean(corners, edges).unwrap_or_else(plain)
+        } else {
+            plain()
+        };
         let is_hit = det != 0.0 && range.contains(t);
-        is_hit.then(|| Contact { t, part: 0, barycentric: [v / det, w / det] })
+        is_hit.then_some(Contact { t, part: 0, barycentric })
     }
+
+    /// `t` and the weights of the second and third corner with twice the
+    /// digits, for a hit on a needle, or at a flat angle, or near where the ray
+    /// starts. An area that is of the other sign than the rounded one, which
+    /// decided the hit, counts as 0: `t` stays between those of the corners.
+    /// `None` if nothing is left then.
+    fn long_mean(&self, corners: [DVec3; 3], edges: &Edges) -> Option<(f64, [f64; 2])> {
+        let d = self.d.map(|d| (d, 0.0));
+        let [a, b, c] = corners.map(|corner| {
+            let [x, y, z] = self.axes.map(|k| two_sum(corner[k], -self.origin[k]));
+            [determinant(x, d[2], d[0], z), determinant(y, d[2], d[1], z), z]
+        });
+        let side = edges.u + edges.v + edges.w;
+        let area = |p: [Long; 3], q: [Long; 3]| {
+            let area = determinant(p[0], q[1], p[1], q[0]);
+            if area.0 * side > 0.0 { area } else { (0.0, 0.0) }
+        };
+        let (u, v, w) = (area(c, b), area(a, c), area(b, a));
+        let det = long_sum(long_sum(u, v), w);
+        let mean =
+            long_sum(long_sum(long_product(u, a[2]), long_product(v, b[2])), long_product(w, c[2]));
+        let t = long_quotient(mean, long_product(det, d[2])) / self.unit;
+        let weights = [long_quotient(v, det), long_quotient(w, det)];
+        (det.0 != 0.0 && t.is_finite()).then_some((t, weights))
+    }
+}
+
+/// `t` is computed again with twice the digits where rounding may draw it by
+/// more than this many times 3 roundings.
+const MOST_DRAWN: f64 = 4.0;
+
+/// `a b - c d` of long numbers, right to a few `u^2` of the products.
+fn determinant(a: Long, b: Long, c: Long, d: Long) -> Long {
+    let (minus, rest) = long_product(c, d);
+    long_sum(long_product(a, b), (-minus, -rest))
 }
 
 #[cfg(test)]

@@ -71,7 +71,35 @@ fn a_ray_that_leaves_a_triangle_does_not_meet_it_again_but_meets_the_others() {
         (mesh.intersect_leaving(&ray, Interval::AHEAD, from).is_some(), occluded)
     };
     assert_eq!(leaving(0), (false, false));
-    assert_eq!(leaving(1), (true, true));
+    assert_eq!(leaving(1), (false, false), "the other half of the square, in one plane with it");
+    assert_eq!(leaving(2), (true, true), "one that stands on the square");
+}
+
+#[test]
+fn a_ray_from_a_crease_meets_neither_of_its_sides() {
+    // A fold of 45 degrees along y, from a start as far behind the slope as
+    // rounding may put it.
+    let vertices = vec![
+        dvec3(0.0, 0.0, 0.0),
+        dvec3(0.0, 2.0, 0.0),
+        dvec3(2.0, 1.0, 0.0),
+        dvec3(2.0, 1.0, 2.0),
+    ];
+    let mesh = Mesh::new(vertices, vec![[0, 2, 1], [0, 1, 3]], None, Build::Bvh).unwrap();
+    let start = dvec3(0.0, 1.0, 1e-15);
+    let meets = |towards: DVec3| {
+        let ray = Ray::new(start, towards - start);
+        let from = Departure { part: 0, outward: true };
+        let occluded = mesh.occludes_leaving(&ray, Interval::AHEAD, from);
+        assert_eq!(mesh.intersect_leaving(&ray, Interval::AHEAD, from).is_some(), occluded);
+        occluded
+    };
+    let between = dvec3(2.0, 1.0, 1.0);
+    assert!(mesh.occludes(&Ray::new(start, between - start), Interval::AHEAD));
+    assert!(!meets(between), "out of the fold");
+    // From farther out on the floor the slope is in the way.
+    let ray = Ray::new(dvec3(1.0, 1.0, 1e-15), dvec3(-0.5, 0.0, 1.0));
+    assert!(mesh.occludes_leaving(&ray, Interval::AHEAD, Departure { part: 0, outward: true }));
 }
 
 #[test]

@@ -99,6 +99,19 @@ fn agrees_with_both_textbook_forms_away_from_edges() {
 }
 
 #[test]
+fn t_keeps_its_digits_where_the_weights_lose_theirs() {
+    // A plane so flat to the ray that the areas cancel to a 2^-40 of their
+    // products: z = 2^-40 x from x = 1, met at x = 3/2.
+    let flat = f64::from(2.0_f32.powi(-40));
+    let third = 1.0 / 3.0;
+    let corner = |x: f64, y: f64| dvec3(x, y, flat * x);
+    let triangle = [corner(1.0, -third), corner(2.0, -third), corner(1.75, 2.0 * third)];
+    let ray = Ray::new(dvec3(0.0, 0.0, 1.5 * flat), dvec3(3.0, 0.0, 0.0));
+    let t = Shear::new(&ray).intersect(triangle, AHEAD).unwrap().t;
+    assert_eq!(t, 0.5, "off by {:e}", t - 0.5);
+}
+
+#[test]
 fn no_ray_passes_between_two_triangles_where_the_textbook_leaks() {
     let mut rng = fastrand::Rng::with_seed(11);
     let mut any = || dvec3(rng.f64(), rng.f64(), rng.f64()) * 2.0 - 1.0;
