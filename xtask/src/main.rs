@@ -89,7 +89,21 @@ impl CannotAsk {
     }
 }
 
+/// A reader that has seen enough, such as `head`, ends the program without a
+/// panic's message. Not as a success: nobody knows what the rest would say.
+fn end_quietly_with_the_reader() {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        // What `println!` says; there is no other way to tell.
+        if panic.payload_as_str().is_some_and(|s| s.starts_with("failed printing to stdout")) {
+            std::process::exit(2);
+        }
+        usual(panic);
+    }));
+}
+
 fn main() -> ExitCode {
+    end_quietly_with_the_reader();
     let cli = Cli::parse();
     let here = Here { root: cli.root };
     let answer = match cli.verb {

@@ -347,3 +347,29 @@ fn stress_and_bench_ask_by_name() {
         assert!(listed.contains("sphere/") && !listed.contains("triangle/"), "{listed}");
     }
 }
+
+#[test]
+fn stress_replays_kept_cases_and_takes_up_a_full_run() {
+    let tree = Tree::new(&[("square", SQUARE)]);
+    let full = ["stress", "image/fixed-scenes", "--full"];
+    tree.run(&full).expect_code(0).expect("1 cases of 1 families from seed 2011, 0 kept ones");
+    tree.run(&full).expect_code(0).expect("1 of 1 cases were done before");
+    let kept = "image/fixed-scenes 0x0p+0 # once wrong\n";
+    tree.write("tests/kept-cases.txt", kept.as_bytes());
+    tree.run(&["stress", "image/fixed-scenes"]).expect_code(0).expect("1 kept ones");
+    tree.write("tests/kept-cases.txt", b"image/fixed-scenes 0.5x\n");
+    tree.run(&["stress", "image/fixed-scenes"]).expect_code(2).expect("kept-cases.txt");
+}
+
+#[test]
+fn a_reader_that_leaves_gets_no_panic() {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let tree = Tree::new(&[("square", SQUARE)]);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+    let command = command.args(["list"]).current_dir(tree.0.path()).stdout(writer);
+    let ran = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let output = ran.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}

@@ -95,10 +95,15 @@ impl Family {
         self.kernels.iter().map(|kernel| Tally::new(&self.targets, kernel.contract)).collect()
     }
 
-    /// Whether a kernel under contract misses a target on this case alone.
-    pub fn offends(&self, case: &Case) -> bool {
+    /// The tallies of this case alone.
+    pub fn judge_alone(&self, case: &Case) -> Vec<Tally> {
         let mut tallies = self.tallies();
         (self.judge)(case, &mut tallies);
-        crate::tally::take_offense(&mut tallies)
+        tallies
+    }
+
+    /// Whether a kernel under contract misses a target on this case alone.
+    pub fn offends(&self, case: &Case) -> bool {
+        crate::tally::take_offense(&mut self.judge_alone(case))
     }
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use crate::metric::Sum;
-use crate::{Family, Metric, Tally};
+use crate::{Case, Family, Metric, Tally};
 
 /// One number of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -103,6 +103,14 @@ pub fn text(rows: &[Row]) -> String {
         }
     }
     text
+}
+
+/// What a case alone was found to be beyond its family's targets, such as
+/// `leaks 1 (target 0)`.
+pub fn misses(family: &Family, case: &Case) -> String {
+    let rows = rows(family, &family.judge_alone(case));
+    let missed: Vec<_> = rows.iter().filter(|row| row.contract && !row.pass).map(number).collect();
+    missed.join(", ")
 }
 
 /// `name value`, and the target where it is missed.

@@ -74,7 +74,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let kept = read_kept(&kept_path, &labels)?;
     let (replayed, broken) = replay(&kept, &families);
     for kept in &broken {
-        println!("FAIL once more, a kept case: {}", kept.line());
+        println!("FAIL once more, a kept case: {}", shown(kept, &families));
     }
     let plan = Plan { full: args.full, seed: args.seed, program: store::program_hash()? };
     let mut matrix = Matrix::new(&families, plan);
@@ -87,7 +87,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 
     let rows: Vec<_> = matrix.results().flat_map(|(f, tallies)| table::rows(f, tallies)).collect();
     print!("{}", table::text(&rows));
-    keep(&kept_path, &kept, &matrix.offenders())?;
+    keep(&kept_path, &kept, &matrix.offenders(), &families)?;
     let is_held = |row: &&table::Row| row.contract && row.target.is_some();
     let held = rows.iter().filter(is_held).count();
     let missed = rows.iter().filter(is_held).filter(|row| !row.pass).count();
@@ -174,22 +174,27 @@ fn replay<'a>(kept: &'a [Kept], families: &[Family]) -> (usize, Vec<&'a Kept>) {
 
 /// Adds the first failing case of each family to those that are kept, and
 /// shows it; where nothing is to be written it is only shown.
-fn keep(path: &Path, kept: &[Kept], offenders: &[Kept]) -> Result<(), CannotAsk> {
+fn keep(
+    path: &Path,
+    kept: &[Kept],
+    offenders: &[Kept],
+    families: &[Family],
+) -> Result<(), CannotAsk> {
     // Compared as text: a NaN is not equal to itself.
     let mut seen: BTreeSet<_> = kept.iter().map(Kept::line).collect();
-    let mut families = BTreeSet::new();
-    let first = |case: &&Kept| families.insert(case.family.clone());
+    let mut shown_of = BTreeSet::new();
+    let first = |case: &&Kept| shown_of.insert(case.family.clone());
     let unseen: Vec<_> =
-        offenders.iter().filter(first).map(Kept::line).filter(|l| seen.insert(l.clone())).collect();
-    for line in &unseen {
-        println!("failing case: {line}");
+        offenders.iter().filter(first).filter(|case| seen.insert(case.line())).collect();
+    for case in &unseen {
+        println!("failing case: {}", shown(case, families));
     }
     if unseen.is_empty() || std::env::var_os("CI").is_some() {
         return Ok(());
     }
     let mut bytes = store::read(path, MAX_BYTES)?.unwrap_or_default();
-    for line in &unseen {
-        bytes.extend(line.bytes().chain([b'\n']));
+    for case in &unseen {
+        bytes.extend(case.line().bytes().chain([b'\n']));
     }
     store::write(path, &bytes)?;
     println!(
@@ -198,4 +203,11 @@ fn keep(path: &Path, kept: &[Kept], offenders: &[Kept]) -> Result<(), CannotAsk>
         path.display()
     );
     Ok(())
+}
+
+/// A case with what it was found to be.
+fn shown(kept: &Kept, families: &[Family]) -> String {
+    let family = families.iter().find(|family| family.label() == kept.family);
+    let misses = family.map(|family| table::misses(family, &kept.case)).unwrap_or_default();
+    format!("{}: {misses}\n    {}", kept.family, kept.line())
 }
