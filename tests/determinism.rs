@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used)]
 
 use conformance::repository_suite;
-use harness::digest;
 use harness::fixture::{Build, Fixture};
 use harness::suite::Suite;
+use harness::{counts, digest};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use tracer::{Interval, LinearImage, Scene, Size, pixel_center};
@@ -56,6 +56,25 @@ fn every_picture_has_the_bits_of_the_table() {
     let differences = digest::differences(&table, &names, &today);
     let lines: Vec<_> = differences.iter().map(ToString::to_string).collect();
     assert!(lines.is_empty(), "{}\nif meant: cargo xtask digest --write", lines.join("\n"));
+}
+
+#[test]
+fn skipping_does_not_matter() {
+    let suite = repository_suite();
+    let names = suite.select(&[]).unwrap().fixtures;
+    let pairs = counts::with_and_without(&suite, &names, &|_| ()).unwrap();
+    let other: Vec<_> = pairs.iter().filter(|pair| !pair.same_bits).map(|p| &p.scene).collect();
+    assert!(other.is_empty(), "{other:?}");
+    // It would not matter either if nothing were skipped.
+    let tests = |counts: &counts::ByName| -> u64 {
+        counts.iter().filter(|(name, _)| name.ends_with("_tests")).map(|(_, n)| n).sum()
+    };
+    for pair in &pairs {
+        assert!(tests(&pair.with) <= tests(&pair.without), "{}", pair.scene);
+    }
+    let with: u64 = pairs.iter().map(|pair| tests(&pair.with)).sum();
+    let without: u64 = pairs.iter().map(|pair| tests(&pair.without)).sum();
+    assert!(4 * with < 3 * without, "{with} of {without} tests are left");
 }
 
 #[test]

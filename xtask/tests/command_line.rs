@@ -373,3 +373,24 @@ fn a_reader_that_leaves_gets_no_panic() {
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
+
+#[test]
+fn render_explains_counts_and_skips_nothing_if_asked() {
+    let tree = Tree::new(&[("square", SQUARE)]);
+    let ran = tree.run(&["render", "square", "--explain"]).expect_code(0);
+    ran.expect("shapes: 1 box; no code runs for spheres, triangles,").expect("shading: none");
+    tree.run(&["render", "square"]).expect_code(2);
+    let counted = |flags: &[&str]| {
+        let args = [&["render", "square", "--stats", "n.json", "--out", "p.exr"][..], flags];
+        tree.run(&args.concat()).expect_code(0);
+        let text = fs::read_to_string(tree.path("n.json")).unwrap();
+        let counts: serde_json::Value = serde_json::from_str(&text).unwrap();
+        (fs::read(tree.path("p.exr")).unwrap(), counts)
+    };
+    let ((with, skipping), (without, all)) = (counted(&[]), counted(&["--no-skip"]));
+    assert!(with == without, "the same picture");
+    assert_eq!((&skipping["skips"], &all["skips"]), (&true.into(), &false.into()));
+    assert_eq!(all["counts"]["eye_rays"], 16 * 12);
+    assert_eq!(skipping["counts"]["shaded_hits"], 0);
+    assert!(all["counts"]["shaded_hits"].as_u64() > Some(0));
+}

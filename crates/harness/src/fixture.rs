@@ -4,8 +4,9 @@ use std::cell::RefCell;
 use std::path::Path;
 
 use scene::{Assets, Encoding, MAX_SCENE_BYTES, SceneFile};
+pub use tracer::Skipping;
 pub use tracer::accel::Build;
-use tracer::{LinearImage, Scene, render};
+use tracer::{LinearImage, Plan, Scene, Stats, render, render_counted};
 
 use crate::check::Check;
 use crate::encode::{Transfer, encode};
@@ -65,12 +66,29 @@ impl Fixture {
         render(&self.scene)
     }
 
+    /// What is done for the picture, and what is skipped.
+    pub fn plan(&self, skipping: Skipping) -> Plan {
+        Plan::new(&self.scene, skipping)
+    }
+
+    /// The picture before encoding, made by this plan, and what it took.
+    pub fn render_counted(&self, plan: &Plan) -> (LinearImage, Stats) {
+        render_counted(&self.scene, plan)
+    }
+
     /// The picture.
     ///
     /// # Errors
     /// A picture with a NaN in it is refused.
     pub fn render(&self) -> Result<Rendered, String> {
-        let linear = self.render_linear();
+        self.encoded(self.render_linear())
+    }
+
+    /// The linear picture with its 8-bit one.
+    ///
+    /// # Errors
+    /// A picture with a NaN in it is refused.
+    pub fn encoded(&self, linear: LinearImage) -> Result<Rendered, String> {
         match encode(&linear, self.transfer) {
             Ok(encoded) => Ok(Rendered { linear, encoded }),
             Err(nan) => Err(nan.to_string()),

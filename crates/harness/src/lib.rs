@@ -12,6 +12,7 @@
 
 pub mod bless;
 pub mod check;
+pub mod counts;
 pub mod digest;
 pub mod encode;
 pub mod expectation;

@@ -221,5 +221,8 @@ pub fn pixel_center(i: u32, n: u32, extent: f64) -> f64 {
     extent * from_center as f64 / (2 * i64::from(n)) as f64
 }
 
+mod window;
+pub(crate) use window::Seen;
+
 #[cfg(test)]
 mod tests;

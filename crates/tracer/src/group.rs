@@ -1,6 +1,8 @@
 //! `Group`: surfaces under one transform, and the closest hit among them.
 
 use crate::accel::{Accelerator, Build};
+use crate::meter::{Event, Meter, Unmetered};
+use crate::plan::Candidates;
 use crate::shape::{Departure, Geometry, Shape};
 use crate::{Aabb, Hit, Interval, Material, ObjectId, Ray, Transform};
 
@@ -18,11 +20,16 @@ impl Object {
         Self { shape, material, id: ObjectId::default() }
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
-        let contact = match self.departure(ray) {
-            None => self.shape.intersect(ray, range),
-            Some(from) => self.shape.intersect_leaving(ray, range, from),
-        }?;
+    pub(crate) fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    pub(crate) fn material(&self) -> &Material {
+        &self.material
+    }
+
+    fn intersect(&self, ray: &Ray, range: Interval, meter: &impl Meter) -> Option<Hit> {
+        let contact = self.shape.meet(ray, range, self.departure(ray), meter)?;
         let surface = self.shape.surface(ray, &contact);
         Some(Hit {
             t: contact.t,
@@ -36,11 +43,14 @@ impl Object {
         })
     }
 
-    fn occludes(&self, ray: &Ray, range: Interval) -> bool {
-        match self.departure(ray) {
-            None => self.shape.occludes(ray, range),
-            Some(from) => self.shape.occludes_leaving(ray, range, from),
-        }
+    fn occluder(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        only: Option<u32>,
+        meter: &impl Meter,
+    ) -> Option<u32> {
+        self.shape.occluder(ray, range, self.departure(ray), only, meter)
     }
 
     /// From where the ray leaves this object, if it does.
@@ -73,19 +83,50 @@ impl Member {
         }
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+    fn intersect(&self, ray: &Ray, range: Interval, meter: &impl Meter) -> Option<Hit> {
         match self {
-            Self::Object(object) => object.intersect(ray, range),
-            Self::Group(group) => group.intersect(ray, range),
+            Self::Object(object) => object.intersect(ray, range, meter),
+            Self::Group(group) => group.intersect_metered(ray, range, meter),
         }
     }
 
-    fn occludes(&self, ray: &Ray, range: Interval) -> bool {
-        match self {
-            Self::Object(object) => object.occludes(ray, range),
-            Self::Group(group) => group.occludes(ray, range),
+    /// A part of it that is in the ray's way, or if it is the one called `only`;
+    /// of a group nothing is known but that it is.
+    fn occluder(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        only: Option<u32>,
+        meter: &impl Meter,
+    ) -> Option<u32> {
+        match (self, only) {
+            (Self::Object(object), _) => object.occluder(ray, range, only, meter),
+            (Self::Group(group), None) => group.occluder(ray, range, None, meter).map(|_| 0),
+            (Self::Group(_), Some(_)) => None,
         }
     }
+}
+
+/// Who is in a ray's way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Occluder {
+    /// Which member of the group.
+    pub(crate) member: u32,
+    /// Which part of it, if it is an object.
+    pub(crate) part: u32,
+}
+
+/// Hears of an object: in which member of the group it is, the boxes that hold
+/// it, and how it stands there.
+pub(crate) type Visit<'a> = dyn FnMut(usize, &Object, &[Aabb], Placed) + 'a;
+
+/// How an object stands in a group's space.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Placed {
+    /// Whether a transform is between the object and the group.
+    pub(crate) moved: bool,
+    /// How many times more than its shape's own formulas its hits round.
+    pub(crate) rounding: f64,
 }
 
 /// Members in a space of their own, placed in the parent's by a transform.
@@ -136,13 +177,24 @@ impl Group {
     ///
     /// Source: slide "Intersection against many shapes".
     pub fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+        self.intersect_metered(ray, range, &Unmetered)
+    }
+
+    /// [`Group::intersect`], counted.
+    pub(crate) fn intersect_metered(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+    ) -> Option<Hit> {
         let closest = |ray: &Ray| {
-            let test = |i: u32, range| self.members[i as usize].intersect(ray, range);
-            self.accelerator.closest(ray, range, test).map(|(_, hit)| hit)
+            let test = |i: u32, range| self.members[i as usize].intersect(ray, range, meter);
+            self.accelerator.closest(ray, range, meter, test).map(|(_, hit)| hit)
         };
         match &self.transform {
             None => closest(ray),
             Some(transform) => {
+                meter.count(Event::Group);
                 let hit = closest(&transform.object_from_parent(ray))?;
                 Some(transform.parent_from_object(hit))
             }
@@ -152,13 +204,97 @@ impl Group {
     /// Whether any member is hit inside `range`: what a shadow ray asks. Stops
     /// at the first one found.
     pub fn occludes(&self, ray: &Ray, range: Interval) -> bool {
+        self.occluder(ray, range, None, &Unmetered).is_some()
+    }
+
+    /// Who is in the ray's way, if anybody is, counted: [`Group::occludes`].
+    /// Whoever is `first` is tried before all others, which changes the way to
+    /// the answer and which one is found, not whether there is one.
+    pub(crate) fn occluder(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        first: Option<Occluder>,
+        meter: &impl Meter,
+    ) -> Option<Occluder> {
+        let is_met = |ray: &Ray, member: u32, only: Option<u32>| {
+            let part = self.members[member as usize].occluder(ray, range, only, meter)?;
+            Some(Occluder { member, part })
+        };
         let any = |ray: &Ray| {
-            let test = |i: u32| self.members[i as usize].occludes(ray, range);
-            self.accelerator.any(ray, range, test)
+            let hint = first.filter(|hint| (hint.member as usize) < self.members.len());
+            let mut found = hint.and_then(|hint| is_met(ray, hint.member, Some(hint.part)));
+            if found.is_none() {
+                self.accelerator.any(ray, range, meter, |member| {
+                    found = is_met(ray, member, None);
+                    found.is_some()
+                });
+            }
+            found
         };
         match &self.transform {
             None => any(ray),
-            Some(transform) => any(&transform.object_from_parent(ray)),
+            Some(transform) => {
+                meter.count(Event::Group);
+                any(&transform.object_from_parent(ray))
+            }
+        }
+    }
+
+    /// [`Group::intersect`] of a group without a transform, for a ray that can
+    /// meet no other members than these.
+    pub(crate) fn intersect_among(
+        &self,
+        candidates: Candidates,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+    ) -> Option<Hit> {
+        let (Candidates::These(mut bits), None) = (candidates, &self.transform) else {
+            return self.intersect_metered(ray, range, meter);
+        };
+        // As the list does: a later one must be strictly closer.
+        let (mut t_best, mut closest) = (range.hi, None);
+        while bits != 0 {
+            let member = &self.members[bits.trailing_zeros() as usize];
+            bits &= bits - 1;
+            if let Some(hit) = member.intersect(ray, range.until(t_best), meter) {
+                t_best = hit.t;
+                closest = Some(hit);
+            }
+        }
+        closest
+    }
+
+    /// Calls `visit` with every object, in which member it is, the boxes that hold it in this group's
+    /// parent's space, and how much more than a shape's own formulas its hits
+    /// round.
+    pub(crate) fn visit(&self, visit: &mut Visit<'_>) {
+        for (i, member) in self.members.iter().enumerate() {
+            match member {
+                Member::Object(object) => {
+                    self.place(&object.shape.coarse_boxes(), 1.0, |boxes, placed| {
+                        visit(i, object, boxes, placed);
+                    });
+                }
+                Member::Group(group) => group.visit(&mut |_, object, boxes, placed| {
+                    let inner = placed.rounding;
+                    self.place(boxes, inner, |boxes, here| {
+                        let moved = placed.moved || here.moved;
+                        visit(i, object, boxes, Placed { moved, ..here });
+                    });
+                }),
+            }
+        }
+    }
+
+    fn place(&self, boxes: &[Aabb], rounding: f64, place: impl FnOnce(&[Aabb], Placed)) {
+        match &self.transform {
+            None => place(boxes, Placed { moved: false, rounding }),
+            Some(transform) => {
+                let boxes: Vec<_> = boxes.iter().map(|b| transform.bounds(b)).collect();
+                place(&boxes, Placed { moved: true, rounding: rounding * transform.condition() });
+            }
         }
     }
 

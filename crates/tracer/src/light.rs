@@ -26,6 +26,20 @@ pub(crate) enum Kind {
 }
 
 impl Light {
+    /// How much light it gives, wherever it is seen from.
+    pub(crate) fn intensity(&self) -> Rgb {
+        match self.0 {
+            Kind::Point { intensity, .. }
+            | Kind::Directional { intensity, .. }
+            | Kind::Ambient { intensity } => intensity,
+        }
+    }
+
+    /// Whether something may be in its way.
+    pub(crate) fn casts_shadows(&self) -> bool {
+        !matches!(self.0, Kind::Ambient { .. })
+    }
+
     /// A light at a point, with hard shadows.
     ///
     /// # Errors

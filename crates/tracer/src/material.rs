@@ -1,8 +1,9 @@
 //! `Material`: how a surface sends light on.
 
 use crate::math::pow;
+use crate::meter::{Event, Meter, Unmetered};
 use crate::refused::{Refusal, color, length};
-use crate::{Convention, Refused, Rgb, UnitVec};
+use crate::{Convention, Refused, Rgb, Skipping, UnitVec};
 
 /// What a surface is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +80,17 @@ impl Material {
     /// The radiometric convention divides `k_d` by pi and multiplies the
     /// highlight by the cosine as well. Zero for unlit materials.
     pub fn reflect(&self, convention: Convention, n: UnitVec, l: UnitVec, v: UnitVec) -> Rgb {
+        self.reflect_metered((convention, Skipping::On), (n, l, v), &Unmetered)
+    }
+
+    /// [`Material::reflect`], counted. A black highlight is not computed if
+    /// what changes nothing is skipped.
+    pub(crate) fn reflect_metered(
+        &self,
+        (convention, skipping): (Convention, Skipping),
+        (n, l, v): (UnitVec, UnitVec, UnitVec),
+        meter: &impl Meter,
+    ) -> Rgb {
         let cosine = n.dot(*l).max(0.0);
         let lambert = |k_d: Rgb| match convention {
             Convention::Classic | Convention::Attenuated => k_d * cosine,
@@ -87,7 +99,13 @@ impl Material {
         match *self {
             Self::Constant(_) | Self::Normal => Rgb::BLACK,
             Self::Lambert { diffuse } => lambert(diffuse),
+            Self::BlinnPhong { diffuse, .. }
+                if skipping == Skipping::On && !self.has_highlight() =>
+            {
+                lambert(diffuse)
+            }
             Self::BlinnPhong { diffuse, specular, exponent } => {
+                meter.count(Event::HalfVector);
                 // Light straight through the surface towards the eye has no
                 // half vector, and no highlight.
                 let highlight =

@@ -2,8 +2,10 @@
 
 use rayon::prelude::*;
 
+use crate::meter::{Counter, Event, Meter, Stats, Unmetered, Work};
+use crate::plan::Candidates;
 use crate::refused::refuse_unless;
-use crate::{Interval, LinearImage, Refused, Rgb, Scene, Size, pixel_center};
+use crate::{Interval, LinearImage, Plan, Refused, Rgb, Scene, Size, Skipping, pixel_center};
 
 /// A regular grid of samples in each pixel: `side` by `side`, each in the
 /// middle of its cell. One sample is the lecture's pixel center.
@@ -46,30 +48,69 @@ impl SampleGrid {
 /// the number of threads; rows are shared out among those of rayon's current
 /// pool.
 pub fn render(scene: &Scene) -> LinearImage {
+    picture::<Unmetered>(scene, &Plan::new(scene, Skipping::On)).0
+}
+
+/// [`render`] by a plan for this scene, and how often everything happened.
+///
+/// The picture is the same for every plan.
+pub fn render_counted(scene: &Scene, plan: &Plan) -> (LinearImage, Stats) {
+    let (picture, counters) = picture::<Counter>(scene, plan);
+    let mut stats = Stats::default();
+    for counter in counters {
+        stats += Stats::from(counter);
+    }
+    (picture, stats)
+}
+
+/// The picture, and a meter for each row.
+fn picture<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImage, Vec<M>) {
     let Size { width, height } = scene.size();
-    let rows: Vec<Vec<Rgb>> = (0..height)
+    let nothing = mean(scene, |_, _| scene.background());
+    let rows: Vec<(Vec<Rgb>, M)> = (0..height)
         .into_par_iter()
         .map(|y| {
             // The lecture's row 0 is the lowest, the picture's the highest.
             let j = height - 1 - y;
-            (0..width).map(|i| pixel(scene, i, j)).collect()
+            let work = Work::new(M::default(), plan.skipping(), scene.lights().len());
+            let pixel = |i| {
+                let candidates = plan.candidates(i, j);
+                if candidates == Candidates::None {
+                    work.count(Event::SkippedPixel);
+                    return nothing;
+                }
+                work.count(Event::Pixel);
+                pixel(scene, candidates, (i, j), &work)
+            };
+            ((0..width).map(pixel).collect(), work.meter)
         })
         .collect();
-    LinearImage::from_fn(scene.size(), |x, y| rows[y as usize][x as usize])
+    let picture = LinearImage::from_fn(scene.size(), |x, y| rows[y as usize].0[x as usize]);
+    (picture, rows.into_iter().map(|(_, meter)| meter).collect())
 }
 
 /// The mean of the samples of pixel `(i, j)`, row 0 at the bottom.
-fn pixel(scene: &Scene, i: u32, j: u32) -> Rgb {
+fn pixel(
+    scene: &Scene,
+    candidates: Candidates,
+    (i, j): (u32, u32),
+    work: &Work<impl Meter>,
+) -> Rgb {
     let Size { width, height } = scene.size();
     let SampleGrid { side } = scene.samples();
     let camera = scene.camera();
-    let sum = mirrored_sum(side, |row| {
+    mean(scene, |column, row| {
         let b = pixel_center(j * side + row, height * side, camera.view_height());
-        mirrored_sum(side, |column| {
-            let a = pixel_center(i * side + column, width * side, camera.view_width());
-            scene.trace(&camera.ray(a, b), Interval::AHEAD)
-        })
-    });
+        let a = pixel_center(i * side + column, width * side, camera.view_width());
+        work.count(Event::EyeRay);
+        scene.trace_among(candidates, &camera.ray(a, b), Interval::AHEAD, work)
+    })
+}
+
+/// The mean of a pixel's samples, exposed.
+fn mean(scene: &Scene, sample: impl Fn(u32, u32) -> Rgb) -> Rgb {
+    let SampleGrid { side } = scene.samples();
+    let sum = mirrored_sum(side, |row| mirrored_sum(side, |column| sample(column, row)));
     sum * (scene.exposure() / f64::from(side * side))
 }
 

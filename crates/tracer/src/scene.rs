@@ -1,9 +1,11 @@
 //! `Scene`: everything a picture is made from, checked.
 
+use crate::meter::{Meter, Unmetered, Work};
+use crate::plan::Candidates;
 use crate::refused::{color, not_negative, refuse_unless};
 use crate::shading::Lighting;
 use crate::{
-    Camera, Convention, Group, Interval, Light, Ray, Refused, Rgb, SampleGrid, Show, Size,
+    Camera, Convention, Group, Interval, Light, Ray, Refused, Rgb, SampleGrid, Show, Size, Skipping,
 };
 
 /// The parts of a scene, before they are checked together.
@@ -110,6 +112,26 @@ impl Scene {
         &self.0.world
     }
 
+    /// All lights.
+    pub(crate) fn lights(&self) -> &[Light] {
+        &self.0.lights
+    }
+
+    /// Whether lights cast shadows.
+    pub(crate) fn shadows(&self) -> bool {
+        self.0.shadows
+    }
+
+    /// What the picture is of.
+    pub(crate) fn show(&self) -> Show {
+        self.0.show
+    }
+
+    /// What a ray that hits nothing sees.
+    pub(crate) fn background(&self) -> Rgb {
+        self.0.background
+    }
+
     /// What the whole picture is multiplied by: `exposure` where the scene is
     /// shaded, 1 for every other kind of picture.
     pub fn exposure(&self) -> f64 {
@@ -123,14 +145,33 @@ impl Scene {
     /// Source: the slide with the loop over pixels, eye ray generation and scene
     /// intersection.
     pub fn trace(&self, ray: &Ray, range: Interval) -> Rgb {
+        let work = Work::new(Unmetered, Skipping::On, 0);
+        self.trace_among(Candidates::All, ray, range, &work)
+    }
+
+    /// [`Scene::trace`] for a ray that can meet no others than these, counted,
+    /// and with or without what changes nothing.
+    pub(crate) fn trace_among(
+        &self,
+        candidates: Candidates,
+        ray: &Ray,
+        range: Interval,
+        work: &Work<impl Meter>,
+    ) -> Rgb {
         let SceneParts { world, lights, convention, shadows, background, show, .. } = &self.0;
-        match world.intersect(ray, range) {
-            None => *background,
-            Some(hit) => show.color(ray, &hit).unwrap_or_else(|| {
-                let lighting =
-                    Lighting { world, lights, convention: *convention, shadows: *shadows };
-                lighting.shade(ray, &hit)
-            }),
+        let Some(hit) = world.intersect_among(candidates, ray, range, &work.meter) else {
+            return *background;
+        };
+        let shade = || {
+            let (convention, shadows) = (*convention, *shadows);
+            Lighting { world, lights, convention, shadows }.shade(ray, &hit, work)
+        };
+        match (show.color(ray, &hit), work.skips()) {
+            (Some(color), true) => color,
+            (shown, _) => {
+                let shaded = shade();
+                shown.unwrap_or(shaded)
+            }
         }
     }
 }

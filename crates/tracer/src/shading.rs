@@ -1,7 +1,10 @@
 //! `Convention`: the three ways in which the course has shaded its pictures,
 //! and the light that reaches a hit.
 
+use std::cell::Cell;
+
 use crate::light::{Falloff, Kind};
+use crate::meter::{Event, Meter, Work};
 use crate::{Group, Hit, Interval, Light, Ray, Rgb, UnitVec};
 
 /// Which shading formulas a scene means. They differ in the light's falloff,
@@ -81,16 +84,32 @@ struct Incident {
 
 impl Lighting<'_> {
     /// The light that leaves the hit against `ray`.
-    pub(crate) fn shade(&self, ray: &Ray, hit: &Hit) -> Rgb {
+    pub(crate) fn shade(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> Rgb {
         let n = hit.shading_normal;
-        if let Some(color) = hit.material.unlit(n) {
-            return color;
+        let unlit = hit.material.unlit(n);
+        match (unlit, work.skips()) {
+            (Some(color), true) => color,
+            (unlit, _) => {
+                let radiance = self.radiance(ray, hit, work);
+                unlit.unwrap_or(radiance)
+            }
         }
+    }
+
+    /// The light of all lights that leaves a lit surface against `ray`.
+    fn radiance(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> Rgb {
+        work.count(Event::ShadedHit);
+        let skips = work.skips();
+        let n = hit.shading_normal;
         // A hit has a direction, and a direction a length.
         let v = UnitVec::new(-ray.direction).unwrap_or(UnitVec::Z);
         let turned_away = n.dot(*v) <= 0.0;
         let mut radiance = Rgb::BLACK;
-        for light in self.lights {
+        for (number, light) in self.lights.iter().enumerate() {
+            let is_dark = light.intensity() == Rgb::BLACK;
+            if is_dark && skips {
+                continue;
+            }
             if let Kind::Ambient { intensity } = light.0 {
                 radiance += hit.material.surface_color(n) * intensity;
                 continue;
@@ -101,13 +120,28 @@ impl Lighting<'_> {
             let Some(incident) = self.incident(light, hit) else {
                 continue;
             };
-            let share = hit.material.reflect(self.convention, n, incident.l, v);
-            if share == Rgb::BLACK {
-                continue;
+            let share = hit.material.reflect_metered(
+                (self.convention, work.skipping),
+                (n, incident.l, v),
+                &work.meter,
+            );
+            let adds = share != Rgb::BLACK && !is_dark;
+            if skips && !(adds && self.shadows) {
+                work.count(Event::SkippedShadowRay);
+            } else {
+                work.count(Event::ShadowRay);
+                let Incident { shadow_ray, range, .. } = &incident;
+                let last = work.occluders.get(number).filter(|_| skips);
+                let first = last.and_then(Cell::get);
+                let occluder = self.world.occluder(shadow_ray, *range, first, &work.meter);
+                if let Some(last) = last {
+                    last.set(occluder);
+                }
+                if occluder.is_some() && self.shadows {
+                    continue;
+                }
             }
-            let shadowed =
-                self.shadows && self.world.occludes(&incident.shadow_ray, incident.range);
-            if !shadowed {
+            if adds {
                 radiance += share * incident.intensity;
             }
         }

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use harness::filter;
+use harness::{counts, filter};
 use stress::bench::{self, Effort};
 
+use crate::progress::Progress;
 use crate::{Answer, CannotAsk, Here};
 
 /// What `bench` measures.
@@ -13,6 +14,19 @@ use crate::{Answer, CannotAsk, Here};
 pub(crate) enum Bench {
     /// Time against error: every kernel and precision on the same rays, in half a minute
     Error(ErrorArgs),
+    /// Rays and tests of every fixture, counted with skipping and without
+    Skipping(SkippingArgs),
+}
+
+/// Flags of `bench skipping`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SkippingArgs {
+    /// Which fixtures; all if none is given
+    #[arg(value_name = "FILTER")]
+    filters: Vec<String>,
+    /// Also write the numbers as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
 }
 
 /// Flags of `bench error`.
@@ -35,7 +49,34 @@ pub(crate) struct ErrorArgs {
 pub(crate) fn run(here: &Here, bench: &Bench) -> Result<Answer, CannotAsk> {
     match bench {
         Bench::Error(args) => error(here, args),
+        Bench::Skipping(args) => skipping(here, args),
     }
+}
+
+fn skipping(
+    here: &Here,
+    SkippingArgs { filters, json }: &SkippingArgs,
+) -> Result<Answer, CannotAsk> {
+    if let Some(path) = json {
+        here.may_write(path)?;
+    }
+    let suite = here.suite()?;
+    let names = suite.select(filters)?.fixtures;
+    let progress = Progress::start("rendering", names.len());
+    let rows = counts::with_and_without(&suite, &names, &|name| progress.advance(name));
+    progress.finish();
+    let rows = rows.map_err(CannotAsk)?;
+    print!("{}", counts::text(&rows));
+    let differing: Vec<_> = rows.iter().filter(|row| !row.same_bits).collect();
+    for row in &differing {
+        println!("other bits without skipping: {}", row.scene);
+    }
+    let answer = if differing.is_empty() { Answer::Yes } else { Answer::No };
+    if let Some(path) = json {
+        let text = serde_json::to_string_pretty(&counts::Table { schema: 1, rows })?;
+        here.write(path, format!("{text}\n").as_bytes())?;
+    }
+    Ok(answer)
 }
 
 fn error(

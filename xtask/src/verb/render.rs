@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use harness::counts::Counts;
 use harness::expectation::Rendered;
-use harness::fixture::{Build, Fixture};
+use harness::fixture::{Build, Fixture, Skipping};
 use harness::suite::{Suite, name_of};
 use harness::{golden, picture_file};
 
@@ -15,11 +16,23 @@ pub(crate) struct Args {
     /// A scene file (*.ron) or a fixture's name
     scene: String,
     /// The picture: .png as stored in goldens, .exr linear
+    #[arg(long, value_name = "FILE", required_unless_present_any = ["explain", "stats"])]
+    out: Option<PathBuf>,
+    /// Print what the scene needs and what is skipped
+    #[arg(long)]
+    explain: bool,
+    /// Count rays and tests, and write the numbers as JSON
     #[arg(long, value_name = "FILE")]
-    out: PathBuf,
+    stats: Option<PathBuf>,
+    /// Skip nothing: the same picture, made the long way
+    #[arg(long)]
+    no_skip: bool,
 }
 
-pub(crate) fn run(here: &Here, Args { scene, out }: &Args) -> Result<Answer, CannotAsk> {
+pub(crate) fn run(
+    here: &Here,
+    Args { scene, out, explain, stats, no_skip }: &Args,
+) -> Result<Answer, CannotAsk> {
     // A fixture has no ending in its name, so what has one is a file.
     let (label, path) = if Path::new(scene).extension().is_some_and(|e| e == "ron") {
         (scene.clone(), PathBuf::from(scene))
@@ -35,15 +48,43 @@ pub(crate) fn run(here: &Here, Args { scene, out }: &Args) -> Result<Answer, Can
         (Suite::fixture_label(name), suite.fixture_path(name))
     };
     let fixture = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
-    let ending = out.extension().and_then(|ending| ending.to_str()).unwrap_or("");
-    let to_file: fn(&Rendered) -> Result<Vec<u8>, String> = match &*ending.to_ascii_lowercase() {
-        "png" => |picture| golden::to_png(&picture.encoded, None),
-        "exr" => |picture| picture_file::to_exr(&picture.linear),
-        _ => return Err(CannotAsk::file(out, "expected a file that ends in .png or .exr")),
-    };
-    let picture = fixture.render().map_err(|why| CannotAsk::file(&path, &why))?;
-    let file = to_file(&picture).map_err(|why| CannotAsk::file(out, &why))?;
-    here.write(out, &file)?;
-    println!("wrote {}", out.display());
+    let to_file = out.as_deref().map(encoder).transpose()?;
+    // Before the work of rendering.
+    for file in [out, stats].into_iter().flatten() {
+        here.may_write(file)?;
+    }
+    let skipping = if *no_skip { Skipping::Off } else { Skipping::On };
+    let plan = fixture.plan(skipping);
+    if *explain {
+        for note in plan.notes() {
+            println!("{note}");
+        }
+    }
+    let (linear, counted) = fixture.render_counted(&plan);
+    if let Some(path) = stats {
+        let counts = Counts::new(label, skipping, &counted);
+        let text = serde_json::to_string_pretty(&counts)?;
+        here.write(path, format!("{text}\n").as_bytes())?;
+        println!("wrote {}", path.display());
+    }
+    if let (Some(out), Some(to_file)) = (out, to_file) {
+        let picture = fixture.encoded(linear).map_err(|why| CannotAsk::file(&path, &why))?;
+        let file = to_file(&picture).map_err(|why| CannotAsk::file(out, &why))?;
+        here.write(out, &file)?;
+        println!("wrote {}", out.display());
+    }
     Ok(Answer::Yes)
+}
+
+/// Makes a file of a picture.
+type Encoder = fn(&Rendered) -> Result<Vec<u8>, String>;
+
+/// How to make a file with this ending.
+fn encoder(out: &Path) -> Result<Encoder, CannotAsk> {
+    let ending = out.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    match &*ending.to_ascii_lowercase() {
+        "png" => Ok(|picture| golden::to_png(&picture.encoded, None)),
+        "exr" => Ok(|picture| picture_file::to_exr(&picture.linear)),
+        _ => Err(CannotAsk::file(out, "expected a file that ends in .png or .exr")),
+    }
 }

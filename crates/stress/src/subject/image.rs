@@ -5,14 +5,14 @@ use std::sync::OnceLock;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tracer::accel::Build;
-use tracer::{LinearImage, Scene, render};
+use tracer::{LinearImage, Plan, Scene, Skipping, render, render_counted};
 
 use crate::family::{Family, Kernel, Volume};
 use crate::{Case, Metric, Tally};
 
 mod random_scene;
 
-use random_scene::random_scene;
+use random_scene::{random_scene, sparse_scene};
 
 /// Threads that render each random scene, with the number of the first.
 const THREADS: [usize; 3] = [1, 2, 7];
@@ -48,15 +48,16 @@ const DIGESTS: [u64; 24] = [
     0xf81d_4049_6d7b_83a0,
 ];
 
+/// Numbers of random scenes: all exact in an `f64`, the fixed ones left out.
+const NUMBERS: std::ops::Range<f64> = 1e6..9e15;
+
 /// Every family of pictures.
 pub(super) fn families() -> Vec<Family> {
-    vec![threads_and_accelerators(), fixed_scenes()]
+    vec![threads_and_accelerators(), skipping(), fixed_scenes()]
 }
 
 /// A case is the number of a scene.
 fn threads_and_accelerators() -> Family {
-    /// Numbers of random scenes: all exact in an `f64`, the fixed ones left out.
-    const NUMBERS: std::ops::Range<f64> = 1e6..9e15;
     let pools = OnceLock::new();
     family(
         "threads-and-accelerators",
@@ -75,6 +76,29 @@ fn threads_and_accelerators() -> Family {
             let all = [on(&pools[1], Build::List)].into_iter().chain(others);
             for _ in all.filter(|other| other.is_none() || *other != first) {
                 tally.count(Metric::OtherBits);
+            }
+        },
+    )
+}
+
+/// A case is the number of a sparse scene, rendered with and without skipping
+/// what cannot change its picture.
+fn skipping() -> Family {
+    family(
+        "skipping",
+        Volume { quick: 100, full: 20_000 },
+        |random| Case::EMPTY.with(random.between(NUMBERS.start, NUMBERS.end).floor()),
+        |case, tally| {
+            let scene = sparse_scene(case.number(0) as u64).ok();
+            let on = |skipping| {
+                let scene = scene.as_ref()?;
+                Some(digest(&render_counted(scene, &Plan::new(scene, skipping)).0))
+            };
+            let plain = scene.as_ref().map(|scene| digest(&render(scene)));
+            for skipping in [Skipping::On, Skipping::Off].map(on) {
+                if skipping.is_none() || skipping != plain {
+                    tally.count(Metric::OtherBits);
+                }
             }
         },
     )

@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::{Candidate, LEAF};
 use crate::math::{UNIT_ROUNDOFF, max_abs};
+use crate::meter::{Event, Meter};
 use crate::{Aabb, Interval, Ray};
 
 /// Bins per axis when a node is split.
@@ -59,10 +60,11 @@ impl Bvh {
     }
 
     /// See [`Accelerator::closest`](super::Accelerator::closest).
-    pub fn closest<H: Candidate>(
+    pub(crate) fn closest<H: Candidate>(
         &self,
         ray: &Ray,
         range: Interval,
+        meter: &impl Meter,
         mut test: impl FnMut(u32, Interval) -> Option<H>,
     ) -> Option<(u32, H)> {
         let mut best: Option<(u32, H)> = None;
@@ -82,7 +84,7 @@ impl Bvh {
         for &i in &self.unbounded {
             consider(i, &mut t_best);
         }
-        self.walk(ray, range.lo, &mut t_best, |i, t_best| {
+        self.walk(ray, range.lo, &mut t_best, meter, |i, t_best| {
             consider(i, t_best);
             false
         });
@@ -90,10 +92,39 @@ impl Bvh {
     }
 
     /// See [`Accelerator::any`](super::Accelerator::any).
-    pub fn any(&self, ray: &Ray, range: Interval, mut test: impl FnMut(u32) -> bool) -> bool {
+    pub(crate) fn any(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+        mut test: impl FnMut(u32) -> bool,
+    ) -> bool {
         let mut t_end = range.hi;
         self.unbounded.iter().any(|&i| test(i))
-            || self.walk(ray, range.lo, &mut t_end, |i, _| test(i))
+            || self.walk(ray, range.lo, &mut t_end, meter, |i, _| test(i))
+    }
+
+    /// The boxes of the nodes down to a few levels, and one of everything if
+    /// there are candidates without a box.
+    pub(super) fn coarse_boxes(&self) -> Vec<Aabb> {
+        /// At most 2^5 boxes.
+        const LEVELS: u32 = 5;
+        let mut boxes = vec![];
+        if !self.unbounded.is_empty() {
+            boxes.push(Aabb::EVERYTHING);
+        }
+        let mut pending = vec![(0_u32, 0)];
+        while let Some((node, level)) = pending.pop() {
+            let Some(&Node { bounds, first, count }) = self.nodes.get(node as usize) else {
+                continue;
+            };
+            if count > 0 || level == LEVELS {
+                boxes.push(bounds);
+            } else {
+                pending.extend([(node + 1, level + 1), (first, level + 1)]);
+            }
+        }
+        boxes
     }
 
     /// Visits the candidates of all leaves whose box the ray meets in
@@ -104,6 +135,7 @@ impl Bvh {
         ray: &Ray,
         t_min: f64,
         t_max: &mut f64,
+        meter: &impl Meter,
         mut visit: impl FnMut(u32, &mut f64) -> bool,
     ) -> bool {
         if self.nodes.is_empty() {
@@ -124,6 +156,7 @@ impl Bvh {
             } else {
                 let (left, right) = (node + 1, first);
                 let enter = |child: u32, t_max| {
+                    meter.count(Event::Node);
                     slabs.enter(&self.nodes[child as usize].bounds, t_min, t_max)
                 };
                 match (enter(left, *t_max), enter(right, *t_max)) {

@@ -16,11 +16,12 @@ mod list;
 pub use bvh::Bvh;
 pub use list::List;
 
+use crate::meter::Meter;
 use crate::{Aabb, Interval, Ray};
 
 /// Up to this many candidates are tested one by one: a list, and a leaf of a
 /// hierarchy.
-const LEAF: usize = 4;
+pub(crate) const LEAF: usize = 4;
 
 /// What a test returns: something with a `t` to compare.
 pub trait Candidate {
@@ -61,28 +62,43 @@ impl Accelerator {
         }
     }
 
+    /// A few boxes that hold all candidates between them.
+    pub(crate) fn coarse_boxes(&self, all: Aabb) -> Vec<Aabb> {
+        match self {
+            Self::List(_) => vec![all],
+            Self::Bvh(bvh) => bvh.coarse_boxes(),
+        }
+    }
+
     /// The candidate that is hit first inside `range`, with its number.
     ///
     /// `test(i, range)` is candidate `i`'s closest hit strictly inside the
     /// range that it is given.
-    pub fn closest<H: Candidate>(
+    pub(crate) fn closest<H: Candidate>(
         &self,
         ray: &Ray,
         range: Interval,
+        meter: &impl Meter,
         test: impl FnMut(u32, Interval) -> Option<H>,
     ) -> Option<(u32, H)> {
         match self {
             Self::List(list) => list.closest(range, test),
-            Self::Bvh(bvh) => bvh.closest(ray, range, test),
+            Self::Bvh(bvh) => bvh.closest(ray, range, meter, test),
         }
     }
 
     /// Whether `test(i)` is true for any candidate that the ray may meet
     /// inside `range`.
-    pub fn any(&self, ray: &Ray, range: Interval, test: impl FnMut(u32) -> bool) -> bool {
+    pub(crate) fn any(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+        test: impl FnMut(u32) -> bool,
+    ) -> bool {
         match self {
             Self::List(list) => list.any(test),
-            Self::Bvh(bvh) => bvh.any(ray, range, test),
+            Self::Bvh(bvh) => bvh.any(ray, range, meter, test),
         }
     }
 }

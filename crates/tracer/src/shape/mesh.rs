@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::triangle::{self, Shear};
 use super::{Contact, Departure, Geometry, SurfacePoint};
 use crate::accel::{Accelerator, Build};
+use crate::meter::{Event, Meter, Unmetered};
 use crate::refused::{point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
 
@@ -109,34 +110,72 @@ impl Mesh {
     pub fn crossings(&self, ray: &Ray, range: Interval) -> u32 {
         let shear = Shear::new(ray);
         let mut count = 0;
-        self.accelerator.any(ray, range, |i| {
+        self.accelerator.any(ray, range, &Unmetered, |i| {
             count += u32::from(shear.intersect(self.corners(i), range).is_some());
             false
         });
         count
     }
 
-    fn closest(&self, ray: &Ray, range: Interval, counts: impl Fn(u32) -> bool) -> Option<Contact> {
+    /// The first contact of a ray, which may leave one of the triangles.
+    pub(super) fn closest(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        from: Option<Departure>,
+        meter: &impl Meter,
+    ) -> Option<Contact> {
         let shear = Shear::new(ray);
-        let test = |i, range| shear.intersect(self.corners(i), range).filter(|_| counts(i));
-        let (part, contact) = self.accelerator.closest(ray, range, test)?;
+        let test = |i, range| {
+            meter.count(Event::Triangle);
+            let contact = shear.intersect(self.corners(i), range);
+            contact.filter(|_| self.may_meet(ray.direction, from, i))
+        };
+        let (part, contact) = self.accelerator.closest(ray, range, meter, test)?;
         Some(Contact { part, ..contact })
     }
 
-    fn any(&self, ray: &Ray, range: Interval, counts: impl Fn(u32) -> bool) -> bool {
+    /// A triangle that the ray meets: any, or if it does the one called `only`.
+    pub(super) fn occluder(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        from: Option<Departure>,
+        only: Option<u32>,
+        meter: &impl Meter,
+    ) -> Option<u32> {
         let shear = Shear::new(ray);
-        let test = |i| shear.intersect(self.corners(i), range).is_some() && counts(i);
-        self.accelerator.any(ray, range, test)
+        let is_met = |i| {
+            meter.count(Event::Triangle);
+            let contact = shear.intersect(self.corners(i), range);
+            contact.is_some() && self.may_meet(ray.direction, from, i)
+        };
+        if let Some(only) = only {
+            return (only < self.faces.len() as u32 && is_met(only)).then_some(only);
+        }
+        let mut found = None;
+        self.accelerator.any(ray, range, meter, |i| {
+            found = is_met(i).then_some(i);
+            found.is_some()
+        });
+        found
     }
 
-    /// Whether a ray along `direction` from triangle `from` may meet triangle
+    /// A few boxes that hold all triangles between them.
+    pub(super) fn coarse_boxes(&self) -> Vec<Aabb> {
+        self.accelerator.coarse_boxes(self.bounds)
+    }
+
+    /// Whether a ray along `direction` that leaves `from` may meet triangle
     /// `other`. It never does the one it leaves, nor one that all of it lies in
     /// front of while the ray goes forward, or behind while it goes back: so in
     /// an edge or corner, where the ray starts on several, it meets none that
     /// its start's rounding alone puts in its way.
-    fn may_meet(&self, direction: DVec3, from: u32, other: u32) -> bool {
+    fn may_meet(&self, direction: DVec3, from: Option<Departure>, other: u32) -> bool {
         let of = |i| self.corners(i);
-        other != from && !triangle::is_turned_from(of(other), of(from), direction)
+        from.is_none_or(|Departure { part, .. }| {
+            other != part && !triangle::is_turned_from(of(other), of(part), direction)
+        })
     }
 
     fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -160,13 +199,13 @@ impl Geometry for Mesh {
     }
 
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
-        self.closest(ray, range, |_| true)
+        self.closest(ray, range, None, &Unmetered)
     }
 
     /// The triangle that the ray leaves is left for good, and so are those that
     /// meet it in a crease.
     fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        self.closest(ray, range, |i| self.may_meet(ray.direction, from.part, i))
+        self.closest(ray, range, Some(from), &Unmetered)
     }
 
     fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
@@ -181,11 +220,11 @@ impl Geometry for Mesh {
     }
 
     fn occludes(&self, ray: &Ray, range: Interval) -> bool {
-        self.any(ray, range, |_| true)
+        self.occluder(ray, range, None, None, &Unmetered).is_some()
     }
 
     fn occludes_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> bool {
-        self.any(ray, range, |i| self.may_meet(ray.direction, from.part, i))
+        self.occluder(ray, range, Some(from), None, &Unmetered).is_some()
     }
 }
 

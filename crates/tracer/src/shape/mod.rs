@@ -27,6 +27,7 @@ pub use triangle::Triangle;
 
 use glam::DVec3;
 
+use crate::meter::{Event, Meter};
 use crate::{Aabb, Interval, Ray, UnitVec, accel};
 
 /// Where a ray met a shape, in the few numbers that finding the closest hit
@@ -146,12 +147,66 @@ macro_rules! shapes {
             }
         }
 
+        impl Shape {
+            /// What a ray that is held against it counts as.
+            pub(crate) fn event(&self) -> Event {
+                match self { $(Self::$name(_) => Event::$name,)* }
+            }
+        }
+
         $(impl From<$name> for Shape {
             fn from(shape: $name) -> Self {
                 Self::$name(shape)
             }
         })*
     };
+}
+
+impl Shape {
+    /// [`Geometry::intersect`], or [`Geometry::intersect_leaving`] for a ray
+    /// that leaves it, counted.
+    pub(crate) fn meet(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        from: Option<Departure>,
+        meter: &impl Meter,
+    ) -> Option<Contact> {
+        meter.count(self.event());
+        match (self, from) {
+            (Self::Mesh(mesh), _) => mesh.closest(ray, range, from, meter),
+            (shape, None) => shape.intersect(ray, range),
+            (shape, Some(from)) => shape.intersect_leaving(ray, range, from),
+        }
+    }
+
+    /// A part that is in the ray's way, if any is: [`Geometry::occludes`], or
+    /// [`Geometry::occludes_leaving`] for a ray that leaves it, counted. Of a
+    /// shape of many parts none but the one called `only` is asked.
+    pub(crate) fn occluder(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        from: Option<Departure>,
+        only: Option<u32>,
+        meter: &impl Meter,
+    ) -> Option<u32> {
+        meter.count(self.event());
+        let is_met = match (self, from) {
+            (Self::Mesh(mesh), _) => return mesh.occluder(ray, range, from, only, meter),
+            (shape, None) => shape.occludes(ray, range),
+            (shape, Some(from)) => shape.occludes_leaving(ray, range, from),
+        };
+        is_met.then_some(0)
+    }
+
+    /// Boxes that hold all of the shape between them.
+    pub(crate) fn coarse_boxes(&self) -> Vec<Aabb> {
+        match self {
+            Self::Mesh(mesh) => mesh.coarse_boxes(),
+            shape => vec![shape.bounds()],
+        }
+    }
 }
 
 shapes! {

@@ -31,6 +31,16 @@ impl Plane {
         })
     }
 
+    /// A point of it.
+    pub(crate) fn point(&self) -> DVec3 {
+        self.point
+    }
+
+    /// Its normal, as long as it was given.
+    pub(crate) fn across(&self) -> DVec3 {
+        self.across
+    }
+
     /// Which `t` puts the ray on the plane: `t = (a - p).n / d.n`, where
     /// neither product loses digits, however flat the ray. Infinite or NaN
     /// for a ray along the plane and NaN for an infinite direction, which no

@@ -116,6 +116,46 @@ fn group(random: &mut Random, build: Build, depth: u32) -> Result<Member, Refuse
     Ok(Member::Group(Group::new(transform(random)?, members, build)))
 }
 
+/// The sparse scene of this number: a thing or a few, seen from among them,
+/// so that much of the picture shows none and some are behind.
+///
+/// # Errors
+/// As [`random_scene`].
+pub(super) fn sparse_scene(number: u64) -> Result<Scene, Refused> {
+    let random = &mut Random::of_chunk(number, "image/sparse-scene", 0);
+    let size = Size { width: 67, height: 53 };
+    let aspect = f64::from(size.width) / f64::from(size.height);
+    let mut members = Vec::new();
+    for _ in 0..=random.below(8) {
+        members.push(object(random, Build::Bvh)?);
+    }
+    match random.below(6) {
+        0 => members.push(group(random, Build::Bvh, 2)?),
+        1 => {
+            let ground = Plane::new(random.point() * REACH, random.direction())?;
+            members.push(Member::Object(Object::new(ground.into(), material(random)?)));
+        }
+        _ => {}
+    }
+    let eye = random.direction() * random.between(0.3, 4.0) * REACH;
+    let away = random.direction();
+    let up = random.across(away);
+    let wide = Camera::look_at(eye, eye + away, up, random.between(5.0, 150.0), aspect);
+    let camera = if random.coin() { wide } else { camera(random) }?;
+    Scene::new(SceneParts {
+        camera,
+        size,
+        samples: SampleGrid::new(random.one_of(&[1, 4]))?,
+        world: Group::new(Transform::IDENTITY, members, Build::Bvh),
+        lights: vec![light(random)?, light(random)?],
+        convention: Convention::Classic,
+        shadows: true,
+        background: BACKGROUND,
+        exposure: 1.3,
+        show: show(random),
+    })
+}
+
 /// Turned, stretched, sheared or mirrored, and moved.
 fn transform(random: &mut Random) -> Result<Transform, Refused> {
     let turn = Transform::rotation_deg(random.point() * 180.0)?;

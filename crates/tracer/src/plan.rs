@@ -1,0 +1,215 @@
+//! `Plan`: what a picture needs of its scene, found before the first ray, so
+//! that nothing else is done.
+//!
+//! Whatever is skipped cannot change a bit of the picture: the harness holds
+//! every fixture, and the stress suite random scenes, against the same picture
+//! made without skipping.
+
+mod tiles;
+
+use crate::camera::Seen;
+use crate::meter::Event;
+use crate::shape::Shape;
+use crate::{Light, Material, Rgb, Scene, Show, accel};
+use tiles::{Members, SIDE, Tiles, bit_of};
+
+/// Whether what cannot change the picture is left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Skipping {
+    /// It is, always but to show that it may be.
+    #[default]
+    On,
+    /// Every pixel sends its rays, every hit is lit by every light, and every
+    /// light is asked for its shadow, whatever comes of it.
+    Off,
+}
+
+/// What is done for a picture, and what is not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    skipping: Skipping,
+    tiles: Tiles,
+    notes: Vec<String>,
+}
+
+impl Plan {
+    /// What this scene's picture needs.
+    pub fn new(scene: &Scene, skipping: Skipping) -> Self {
+        let size = scene.size();
+        let census = Census::of(scene);
+        if skipping == Skipping::Off {
+            let notes = vec!["skips nothing, as it was asked to".to_owned()];
+            return Self { skipping, tiles: Tiles::all(size, Members::MAX), notes };
+        }
+        let mut tiles = Tiles::all(size, 0);
+        for (member, seen) in &census.seen {
+            tiles.mark(scene.camera(), size, bit_of(*member), *seen);
+        }
+        let notes = census.notes(scene, &tiles);
+        Self { skipping, tiles, notes }
+    }
+
+    /// What is needed and what is skipped, a line each, for people.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Whether anything is skipped.
+    pub fn skipping(&self) -> Skipping {
+        self.skipping
+    }
+
+    /// Who may be seen in pixel `(i, j)`, row 0 at the bottom.
+    pub(crate) fn candidates(&self, i: u32, j: u32) -> Candidates {
+        match self.tiles.seen_in(i, j) {
+            0 => Candidates::None,
+            all if self.skipping == Skipping::Off || all & bit_of(usize::MAX) != 0 => {
+                Candidates::All
+            }
+            few if few.count_ones() as usize <= accel::LEAF => Candidates::These(few),
+            _ => Candidates::All,
+        }
+    }
+}
+
+/// Which members of a group a ray may meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Candidates {
+    /// None.
+    None,
+    /// Those whose bits are set, few enough to be tested one by one.
+    These(u64),
+    /// Any.
+    All,
+}
+
+/// Who lives in a scene.
+struct Census {
+    /// Where the objects of each member are seen.
+    seen: Vec<(usize, Seen)>,
+    /// How many of each shape; of meshes, their triangles.
+    shapes: Vec<(Event, usize)>,
+    /// How many objects are lit, and how many with a highlight.
+    lit: usize,
+    highlights: usize,
+}
+
+impl Census {
+    /// Objects in groups that round more than this are taken to be seen
+    /// everywhere.
+    const WORST: f64 = 1e6;
+
+    fn of(scene: &Scene) -> Self {
+        let mut census = Self { seen: Vec::new(), shapes: Vec::new(), lit: 0, highlights: 0 };
+        let camera = scene.camera();
+        scene.world().visit(&mut |member, object, boxes, placed| {
+            let (shape, material) = (object.shape(), object.material());
+            match shape {
+                Shape::Plane(plane) if !placed.moved => {
+                    census.seen.push((member, camera.sees_plane(plane.point(), plane.across())));
+                }
+                _ if !(placed.rounding < Self::WORST) => {
+                    census.seen.push((member, Seen::Everywhere));
+                }
+                _ => census.seen.extend(boxes.iter().map(|b| (member, camera.sees_box(b)))),
+            }
+            let (kind, count) = match shape {
+                Shape::Mesh(mesh) => (Event::Triangle, mesh.triangle_count()),
+                shape => (shape.event(), 1),
+            };
+            match census.shapes.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, sum)) => *sum += count,
+                None => census.shapes.push((kind, count)),
+            }
+            census.lit += usize::from(material.is_lit());
+            census.highlights += usize::from(material.has_highlight());
+        });
+        census
+    }
+
+    fn notes(&self, scene: &Scene, tiles: &Tiles) -> Vec<String> {
+        let mut notes = Vec::new();
+        let (seen, all) = tiles.counts();
+        let samples = scene.samples().samples_per_pixel();
+        notes.push(format!(
+            "eye rays: {samples} a pixel, in {seen} of {all} tiles of {SIDE} x {SIDE} pixels, held \
+             against what the tile may show; the others are background"
+        ));
+        let there = self.shapes.iter().map(|(kind, n)| counted(*n, kind_word(*kind)));
+        let kinds = Event::ALL.into_iter().filter(|event| event.is_primitive_test());
+        let not_there = kinds.filter(|kind| self.shapes.iter().all(|(there, _)| there != kind));
+        let not_there: Vec<_> = not_there.map(|kind| kind_word(kind).1).collect();
+        let there: Vec<_> = there.collect();
+        notes.push(format!(
+            "shapes: {}; no code runs for {}",
+            if there.is_empty() { "none".to_owned() } else { there.join(", ") },
+            not_there.join(", ")
+        ));
+        notes.extend(self.shading_notes(scene));
+        notes
+    }
+
+    fn shading_notes(&self, scene: &Scene) -> Vec<String> {
+        if scene.show() != Show::Shaded {
+            return vec!["shading: none, the picture does not show light".to_owned()];
+        }
+        if self.lit == 0 {
+            return vec!["shading: none, no object is lit".to_owned()];
+        }
+        let (dark, lights): (Vec<Light>, Vec<Light>) =
+            scene.lights().iter().partition(|light| light.intensity() == Rgb::BLACK);
+        let casting = lights.iter().filter(|light| light.casts_shadows()).count();
+        let lit_by = counted(lights.len(), ("light", "lights"));
+        let shading = match dark.len() {
+            0 => format!("shading: {lit_by}"),
+            n => format!("shading: {lit_by}; {n} of no intensity skipped"),
+        };
+        let shadows = match (casting, scene.shadows()) {
+            (0, _) => "none, no light casts shadows".to_owned(),
+            (_, false) => "none, the scene has no shadows".to_owned(),
+            (n, true) => {
+                let lights = counted(n, ("light", "lights"));
+                format!("towards {lights}, from where that would add anything")
+            }
+        };
+        let highlights = match self.highlights {
+            0 => "none, no object has a highlight".to_owned(),
+            n => format!("on {} with a highlight", counted(n, ("object", "objects"))),
+        };
+        vec![shading, format!("shadow rays: {shadows}"), format!("half vectors: {highlights}")]
+    }
+}
+
+/// `1 thing` or `7 things`.
+fn counted(n: usize, (one, many): (&str, &str)) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}
+
+/// A primitive and several of it.
+fn kind_word(kind: Event) -> (&'static str, &'static str) {
+    match kind {
+        Event::Sphere => ("sphere", "spheres"),
+        Event::AxisBox => ("box", "boxes"),
+        Event::Plane => ("plane", "planes"),
+        Event::Disk => ("disk", "disks"),
+        Event::Cylinder => ("cylinder", "cylinders"),
+        Event::Cone => ("cone", "cones"),
+        Event::Torus => ("torus", "tori"),
+        _ => ("triangle", "triangles"),
+    }
+}
+
+impl Material {
+    /// Whether light changes what it shows.
+    fn is_lit(&self) -> bool {
+        matches!(self, Self::Lambert { .. } | Self::BlinnPhong { .. })
+    }
+
+    /// Whether it has a highlight to compute.
+    pub(crate) fn has_highlight(&self) -> bool {
+        matches!(self, Self::BlinnPhong { specular, .. } if *specular != Rgb::BLACK)
+    }
+}
+
+#[cfg(test)]
+mod tests;
