@@ -7,6 +7,7 @@
 mod progress;
 mod verb;
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -89,21 +90,28 @@ impl CannotAsk {
     }
 }
 
-/// A reader that has seen enough, such as `head`, ends the program without a
-/// panic's message. Not as a success: nobody knows what the rest would say.
-fn end_quietly_with_the_reader() {
+/// A place to print to that is gone or full ends the program, with an error and
+/// no panic's message; without any if it was a reader that has seen enough, such
+/// as `head`. Never as a success: nobody knows what the rest would have said.
+fn end_where_nothing_can_be_printed() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
-        // What `println!` says; there is no other way to tell.
-        if panic.payload_as_str().is_some_and(|s| s.starts_with("failed printing to stdout")) {
-            std::process::exit(2);
+        // What `println!` and `eprintln!` say; there is no other way to tell.
+        match panic.payload_as_str().and_then(|said| said.strip_prefix("failed printing to ")) {
+            Some(why) => {
+                if !why.contains("Broken pipe") {
+                    // If nobody hears that either, the exit code is left.
+                    let _ = writeln!(std::io::stderr(), "error: cannot print to {why}");
+                }
+                std::process::exit(2);
+            }
+            None => usual(panic),
         }
-        usual(panic);
     }));
 }
 
 fn main() -> ExitCode {
-    end_quietly_with_the_reader();
+    end_where_nothing_can_be_printed();
     let cli = Cli::parse();
     let here = Here { root: cli.root };
     let answer = match cli.verb {

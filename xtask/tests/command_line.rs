@@ -393,4 +393,9 @@ fn render_explains_counts_and_skips_nothing_if_asked() {
     assert_eq!(all["counts"]["eye_rays"], 16 * 12);
     assert_eq!(skipping["counts"]["shaded_hits"], 0);
     assert!(all["counts"]["shaded_hits"].as_u64() > Some(0));
+    // Its edges are between pixels: more samples see the same.
+    let (adaptive, counts) = counted(&["--error", "0.01"]);
+    assert!(adaptive == with && counts["counts"]["pixels_refined"].as_u64() > Some(0));
+    let ran = tree.run(&["render", "square", "--error", "0", "--out", "p.exr"]).expect_code(2);
+    ran.expect("expected a number from 1e-6 to 1");
 }

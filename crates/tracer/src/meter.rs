@@ -63,6 +63,8 @@ events! {
     Pixel "pixels",
     /// A pixel of a tile that nothing is seen in, so that no ray was sent.
     SkippedPixel "pixels_skipped",
+    /// A pixel that got more samples, as its neighborhood differs.
+    RefinedPixel "pixels_refined",
     /// A ray from the camera: one for each sample.
     EyeRay "eye_rays",
     /// A hit whose light was added up.

@@ -11,7 +11,7 @@ use crate::camera::Seen;
 use crate::meter::Event;
 use crate::shape::Shape;
 use crate::{Light, Material, Rgb, Scene, Show, accel};
-use tiles::{Members, SIDE, Tiles, bit_of};
+use tiles::{Members, REST, SIDE, Tiles, bit_of};
 
 /// Whether what cannot change the picture is left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -19,8 +19,9 @@ pub enum Skipping {
     /// It is, always but to show that it may be.
     #[default]
     On,
-    /// Every pixel sends its rays, every hit is lit by every light, and every
-    /// light is asked for its shadow, whatever comes of it.
+    /// Every pixel sends its rays, every hit is lit by every light that the
+    /// shading's formulas ask for, and each for its shadow, whatever comes of
+    /// it.
     Off,
 }
 
@@ -63,9 +64,7 @@ impl Plan {
     pub(crate) fn candidates(&self, i: u32, j: u32) -> Candidates {
         match self.tiles.seen_in(i, j) {
             0 => Candidates::None,
-            all if self.skipping == Skipping::Off || all & bit_of(usize::MAX) != 0 => {
-                Candidates::All
-            }
+            all if all & REST != 0 => Candidates::All,
             few if few.count_ones() as usize <= accel::LEAF => Candidates::These(few),
             _ => Candidates::All,
         }
@@ -131,8 +130,12 @@ impl Census {
         let mut notes = Vec::new();
         let (seen, all) = tiles.counts();
         let samples = scene.samples().samples_per_pixel();
+        let more = match scene.error() {
+            None => String::new(),
+            Some(error) => format!(" and more where neighbors differ, up to an error of {error}"),
+        };
         notes.push(format!(
-            "eye rays: {samples} a pixel, in {seen} of {all} tiles of {SIDE} x {SIDE} pixels, held \
+            "eye rays: {samples} a pixel{more}, in {seen} of {all} tiles of {SIDE} x {SIDE} pixels, held \
              against what the tile may show; the others are background"
         ));
         let there = self.shapes.iter().map(|(kind, n)| counted(*n, kind_word(*kind)));
@@ -143,7 +146,7 @@ impl Census {
         notes.push(format!(
             "shapes: {}; no code runs for {}",
             if there.is_empty() { "none".to_owned() } else { there.join(", ") },
-            not_there.join(", ")
+            if not_there.is_empty() { "others".to_owned() } else { not_there.join(", ") }
         ));
         notes.extend(self.shading_notes(scene));
         notes

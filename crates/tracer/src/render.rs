@@ -1,5 +1,7 @@
 //! `render`: the lecture's two loops over the pixels, on all threads.
 
+mod adaptive;
+
 use rayon::prelude::*;
 
 use crate::meter::{Counter, Event, Meter, Stats, Unmetered, Work};
@@ -53,7 +55,8 @@ pub fn render(scene: &Scene) -> LinearImage {
 
 /// [`render`] by a plan for this scene, and how often everything happened.
 ///
-/// The picture is the same for every plan.
+/// The picture is the same for every plan of this scene; a plan of another one
+/// says nothing about it.
 pub fn render_counted(scene: &Scene, plan: &Plan) -> (LinearImage, Stats) {
     let (picture, counters) = picture::<Counter>(scene, plan);
     let mut stats = Stats::default();
@@ -65,6 +68,9 @@ pub fn render_counted(scene: &Scene, plan: &Plan) -> (LinearImage, Stats) {
 
 /// The picture, and a meter for each row.
 fn picture<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImage, Vec<M>) {
+    if let Some(error) = scene.error() {
+        return adaptive::picture(scene, plan, error);
+    }
     let Size { width, height } = scene.size();
     let nothing = mean(scene, |_, _| scene.background());
     let rows: Vec<(Vec<Rgb>, M)> = (0..height)
@@ -103,7 +109,7 @@ fn pixel(
         let b = pixel_center(j * side + row, height * side, camera.view_height());
         let a = pixel_center(i * side + column, width * side, camera.view_width());
         work.count(Event::EyeRay);
-        scene.trace_among(candidates, &camera.ray(a, b), Interval::AHEAD, work)
+        scene.trace_among(candidates, &camera.ray(a, b), Interval::AHEAD, work).color
     })
 }
 

@@ -5,7 +5,8 @@ use crate::plan::Candidates;
 use crate::refused::{color, not_negative, refuse_unless};
 use crate::shading::Lighting;
 use crate::{
-    Camera, Convention, Group, Interval, Light, Ray, Refused, Rgb, SampleGrid, Show, Size, Skipping,
+    Camera, Convention, Group, Interval, Light, ObjectId, Ray, Refused, Rgb, SampleGrid, Show,
+    Size, Skipping, UnitVec,
 };
 
 /// The parts of a scene, before they are checked together.
@@ -17,6 +18,10 @@ pub struct SceneParts {
     pub size: Size,
     /// Where in a pixel its samples are.
     pub samples: SampleGrid,
+    /// If there is one: samples are added where a pixel's neighborhood differs,
+    /// until the error of every channel is estimated to be at most this, in a
+    /// picture that is shown as it is. Then `samples` must be one a pixel.
+    pub error: Option<f64>,
     /// All surfaces.
     pub world: Group,
     /// All lights.
@@ -33,6 +38,24 @@ pub struct SceneParts {
     pub show: Show,
 }
 
+/// What an eye ray saw.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Look {
+    /// The color, not yet exposed.
+    pub(crate) color: Rgb,
+    /// Which object, and its normal there.
+    pub(crate) surface: Option<(ObjectId, UnitVec)>,
+    /// For each light, up to 64 of them, whether something is in its way.
+    pub(crate) shadows: u64,
+}
+
+impl Look {
+    /// At the background.
+    pub(crate) fn nothing(background: Rgb) -> Self {
+        Self { color: background, surface: None, shadows: 0 }
+    }
+}
+
 /// A scene that can be rendered; see [`crate::render`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene(SceneParts);
@@ -44,6 +67,9 @@ impl Scene {
     /// The largest number of pixels of a picture.
     pub const MAX_PIXELS: u64 = 1 << 26;
 
+    /// The smallest and largest `error`.
+    pub const ERRORS: std::ops::RangeInclusive<f64> = 1e-6..=1.0;
+
     /// The largest number of samples of a picture: its pixels times samples a
     /// pixel.
     pub const MAX_SAMPLES: u64 = 1 << 32;
@@ -52,8 +78,8 @@ impl Scene {
     ///
     /// # Errors
     /// Refuses (as `image`, `samples_per_pixel`) a picture without pixels or with
-    /// absurdly many of them or of samples, (as
-    /// `background`, `exposure`) numbers that are negative or not finite, and
+    /// absurdly many of them or of samples, (as `error`) one that is out of
+    /// range or beside several samples a pixel, (as `background`, `exposure`) numbers that are negative or not finite, and
     /// (as `show`) a depth range that is not one.
     pub fn new(parts: SceneParts) -> Result<Self, Refused> {
         let Size { width, height } = parts.size;
@@ -83,6 +109,18 @@ impl Scene {
                 format!("at most {} samples in the whole picture", Self::MAX_SAMPLES),
                 || format!("{samples} in each of {width} x {height} pixels"),
             ),
+            parts.error.and_then(|error| {
+                refuse_unless(
+                    Self::ERRORS.contains(&error) && samples == 1,
+                    "error",
+                    format!(
+                        "a number from {:e} to {}, and one sample a pixel to start from",
+                        Self::ERRORS.start(),
+                        Self::ERRORS.end()
+                    ),
+                    || format!("{error} with {samples} samples a pixel"),
+                )
+            }),
             color("background", parts.background),
             not_negative("exposure", parts.exposure),
             refuse_unless(depth_is_a_range, "show", "a depth range with 0 <= near < far", || {
@@ -90,6 +128,11 @@ impl Scene {
             }),
         ])?;
         Ok(Self(parts))
+    }
+
+    /// What it was made from.
+    pub fn parts(&self) -> &SceneParts {
+        &self.0
     }
 
     /// The picture's size.
@@ -100,6 +143,20 @@ impl Scene {
     /// Where in a pixel its samples are.
     pub fn samples(&self) -> SampleGrid {
         self.0.samples
+    }
+
+    /// The error up to which samples are added, if they are.
+    pub fn error(&self) -> Option<f64> {
+        self.0.error
+    }
+
+    /// The same scene, with samples added up to this error, in place of those
+    /// that it has.
+    ///
+    /// # Errors
+    /// Refuses (as `error`) one that is out of range.
+    pub fn with_error(&self, error: f64) -> Result<Self, Refused> {
+        Self::new(SceneParts { samples: SampleGrid::ONE, error: Some(error), ..self.0.clone() })
     }
 
     /// The camera.
@@ -146,7 +203,7 @@ impl Scene {
     /// intersection.
     pub fn trace(&self, ray: &Ray, range: Interval) -> Rgb {
         let work = Work::new(Unmetered, Skipping::On, 0);
-        self.trace_among(Candidates::All, ray, range, &work)
+        self.trace_among(Candidates::All, ray, range, &work).color
     }
 
     /// [`Scene::trace`] for a ray that can meet no others than these, counted,
@@ -157,21 +214,22 @@ impl Scene {
         ray: &Ray,
         range: Interval,
         work: &Work<impl Meter>,
-    ) -> Rgb {
+    ) -> Look {
         let SceneParts { world, lights, convention, shadows, background, show, .. } = &self.0;
         let Some(hit) = world.intersect_among(candidates, ray, range, &work.meter) else {
-            return *background;
+            return Look::nothing(*background);
         };
         let shade = || {
             let (convention, shadows) = (*convention, *shadows);
             Lighting { world, lights, convention, shadows }.shade(ray, &hit, work)
         };
-        match (show.color(ray, &hit), work.skips()) {
-            (Some(color), true) => color,
+        let (color, shadows) = match (show.color(ray, &hit), work.skips()) {
+            (Some(color), true) => (color, 0),
             (shown, _) => {
                 let shaded = shade();
-                shown.unwrap_or(shaded)
+                shown.map_or(shaded, |color| (color, 0))
             }
-        }
+        };
+        Look { color, surface: Some((hit.object, hit.geometric_normal)), shadows }
     }
 }

@@ -83,28 +83,30 @@ struct Incident {
 }
 
 impl Lighting<'_> {
-    /// The light that leaves the hit against `ray`.
-    pub(crate) fn shade(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> Rgb {
+    /// The light that leaves the hit against `ray`, and a bit for each of the
+    /// lights that something is in the way of.
+    pub(crate) fn shade(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> (Rgb, u64) {
         let n = hit.shading_normal;
         let unlit = hit.material.unlit(n);
         match (unlit, work.skips()) {
-            (Some(color), true) => color,
+            (Some(color), true) => (color, 0),
             (unlit, _) => {
-                let radiance = self.radiance(ray, hit, work);
-                unlit.unwrap_or(radiance)
+                let lit = self.radiance(ray, hit, work);
+                unlit.map_or(lit, |color| (color, 0))
             }
         }
     }
 
-    /// The light of all lights that leaves a lit surface against `ray`.
-    fn radiance(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> Rgb {
+    /// The light of all lights that leaves a lit surface against `ray`, and a
+    /// bit for each that something is in the way of.
+    fn radiance(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> (Rgb, u64) {
         work.count(Event::ShadedHit);
         let skips = work.skips();
         let n = hit.shading_normal;
         // A hit has a direction, and a direction a length.
         let v = UnitVec::new(-ray.direction).unwrap_or(UnitVec::Z);
         let turned_away = n.dot(*v) <= 0.0;
-        let mut radiance = Rgb::BLACK;
+        let (mut radiance, mut shadows) = (Rgb::BLACK, 0);
         for (number, light) in self.lights.iter().enumerate() {
             let is_dark = light.intensity() == Rgb::BLACK;
             if is_dark && skips {
@@ -138,14 +140,17 @@ impl Lighting<'_> {
                     last.set(occluder);
                 }
                 if occluder.is_some() && self.shadows {
+                    if adds {
+                        shadows |= 1_u64.checked_shl(number as u32).unwrap_or(0);
+                    }
                     continue;
                 }
             }
-            if adds {
+            if adds || !skips {
                 radiance += share * incident.intensity;
             }
         }
-        radiance
+        (radiance, shadows)
     }
 
     /// The light as the hit sees it; `None` where it is at the very point,

@@ -118,6 +118,7 @@ fn numbered(group: Group) -> Group {
         camera,
         size: tracer::Size { width: 1, height: 1 },
         samples: tracer::SampleGrid::ONE,
+        error: None,
         world: group,
         lights: Vec::new(),
         convention: tracer::Convention::Classic,

@@ -66,17 +66,17 @@ fn skipping(
     let rows = counts::with_and_without(&suite, &names, &|name| progress.advance(name));
     progress.finish();
     let rows = rows.map_err(CannotAsk)?;
-    print!("{}", counts::text(&rows));
-    let differing: Vec<_> = rows.iter().filter(|row| !row.same_bits).collect();
+    let table = counts::Table { schema: 1, rows };
+    if let Some(path) = json {
+        let text = serde_json::to_string_pretty(&table)?;
+        here.write(path, format!("{text}\n").as_bytes())?;
+    }
+    print!("{}", counts::text(&table.rows));
+    let differing: Vec<_> = table.rows.iter().filter(|row| !row.same_bits).collect();
     for row in &differing {
         println!("other bits without skipping: {}", row.scene);
     }
-    let answer = if differing.is_empty() { Answer::Yes } else { Answer::No };
-    if let Some(path) = json {
-        let text = serde_json::to_string_pretty(&counts::Table { schema: 1, rows })?;
-        here.write(path, format!("{text}\n").as_bytes())?;
-    }
-    Ok(answer)
+    Ok(if differing.is_empty() { Answer::Yes } else { Answer::No })
 }
 
 fn error(
@@ -107,7 +107,6 @@ fn error(
             eprintln!("measuring {label} ({begun} of {})", chosen.len());
         },
     );
-    print!("{}", bench::text(&report));
     if let Some(path) = json {
         let text = serde_json::to_string_pretty(&report)?;
         here.write(path, format!("{text}\n").as_bytes())?;
@@ -115,5 +114,6 @@ fn error(
     if let Some(path) = svg {
         here.write(path, bench::svg(&report).as_bytes())?;
     }
+    print!("{}", bench::text(&report));
     Ok(Answer::Yes)
 }

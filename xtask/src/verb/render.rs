@@ -18,6 +18,10 @@ pub(crate) struct Args {
     /// The picture: .png as stored in goldens, .exr linear
     #[arg(long, value_name = "FILE", required_unless_present_any = ["explain", "stats"])]
     out: Option<PathBuf>,
+    /// Add samples until every pixel's error is estimated to be at most this, in place of those
+    /// that the scene asks for
+    #[arg(long, value_name = "ERROR")]
+    error: Option<f64>,
     /// Print what the scene needs and what is skipped
     #[arg(long)]
     explain: bool,
@@ -31,7 +35,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(
     here: &Here,
-    Args { scene, out, explain, stats, no_skip }: &Args,
+    Args { scene, out, error, explain, stats, no_skip }: &Args,
 ) -> Result<Answer, CannotAsk> {
     // A fixture has no ending in its name, so what has one is a file.
     let (label, path) = if Path::new(scene).extension().is_some_and(|e| e == "ron") {
@@ -47,7 +51,11 @@ pub(crate) fn run(
         }
         (Suite::fixture_label(name), suite.fixture_path(name))
     };
-    let fixture = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
+    let mut fixture = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
+    if let Some(error) = *error {
+        let scene = fixture.scene.with_error(error);
+        fixture.scene = scene.map_err(|refused| CannotAsk(format!("--error: {refused}")))?;
+    }
     let to_file = out.as_deref().map(encoder).transpose()?;
     // Before the work of rendering.
     for file in [out, stats].into_iter().flatten() {
@@ -55,11 +63,6 @@ pub(crate) fn run(
     }
     let skipping = if *no_skip { Skipping::Off } else { Skipping::On };
     let plan = fixture.plan(skipping);
-    if *explain {
-        for note in plan.notes() {
-            println!("{note}");
-        }
-    }
     let (linear, counted) = fixture.render_counted(&plan);
     if let Some(path) = stats {
         let counts = Counts::new(label, skipping, &counted);
@@ -72,6 +75,11 @@ pub(crate) fn run(
         let file = to_file(&picture).map_err(|why| CannotAsk::file(out, &why))?;
         here.write(out, &file)?;
         println!("wrote {}", out.display());
+    }
+    if *explain {
+        for note in plan.notes() {
+            println!("{note}");
+        }
     }
     Ok(Answer::Yes)
 }

@@ -86,11 +86,27 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     }
 
     let rows: Vec<_> = matrix.results().flat_map(|(f, tallies)| table::rows(f, tallies)).collect();
-    print!("{}", table::text(&rows));
-    keep(&kept_path, &kept, &matrix.offenders(), &families)?;
     let is_held = |row: &&table::Row| row.contract && row.target.is_some();
     let held = rows.iter().filter(is_held).count();
     let missed = rows.iter().filter(is_held).filter(|row| !row.pass).count();
+    // What must not be lost is written before anything is printed.
+    let text = table::text(&rows);
+    let unseen = keep(&kept_path, &kept, &matrix.offenders())?;
+    if let Some(path) = &args.json {
+        let table = table::Table { schema: 1, seed: args.seed, full: args.full, rows };
+        here.write(path, serde_json::to_string_pretty(&table)?.as_bytes())?;
+    }
+    print!("{text}");
+    for case in &unseen.cases {
+        println!("failing case: {}", shown(case, &families));
+    }
+    if unseen.is_written {
+        println!(
+            "kept in {}, and judged again by every run: commit them with the fix, or take them \
+             out if the code was broken on purpose",
+            kept_path.display()
+        );
+    }
     println!(
         "{} cases of {} families from seed {}, {replayed} kept ones: {missed} of {held} targets missed \
          ({:.1} s); docs/accuracy.md says what the numbers are",
@@ -99,10 +115,6 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         args.seed,
         started.elapsed().as_secs_f64()
     );
-    if let Some(path) = &args.json {
-        let table = table::Table { schema: 1, seed: args.seed, full: args.full, rows };
-        here.write(path, serde_json::to_string_pretty(&table)?.as_bytes())?;
-    }
     Ok(if missed == 0 && broken.is_empty() { Answer::Yes } else { Answer::No })
 }
 
@@ -172,37 +184,31 @@ fn replay<'a>(kept: &'a [Kept], families: &[Family]) -> (usize, Vec<&'a Kept>) {
     (count, broken)
 }
 
-/// Adds the first failing case of each family to those that are kept, and
-/// shows it; where nothing is to be written it is only shown.
-fn keep(
-    path: &Path,
-    kept: &[Kept],
-    offenders: &[Kept],
-    families: &[Family],
-) -> Result<(), CannotAsk> {
+/// Failing cases that were not kept before.
+struct Unseen {
+    cases: Vec<Kept>,
+    /// Whether they are kept now.
+    is_written: bool,
+}
+
+/// Adds the first failing case of each family to those that are kept, unless
+/// nothing is to be written.
+fn keep(path: &Path, kept: &[Kept], offenders: &[Kept]) -> Result<Unseen, CannotAsk> {
     // Compared as text: a NaN is not equal to itself.
     let mut seen: BTreeSet<_> = kept.iter().map(Kept::line).collect();
-    let mut shown_of = BTreeSet::new();
-    let first = |case: &&Kept| shown_of.insert(case.family.clone());
-    let unseen: Vec<_> =
-        offenders.iter().filter(first).filter(|case| seen.insert(case.line())).collect();
-    for case in &unseen {
-        println!("failing case: {}", shown(case, families));
+    let mut families = BTreeSet::new();
+    let first = |case: &&Kept| families.insert(case.family.clone());
+    let unseen = offenders.iter().filter(first).filter(|case| seen.insert(case.line()));
+    let cases: Vec<_> = unseen.cloned().collect();
+    let is_written = !cases.is_empty() && std::env::var_os("CI").is_none();
+    if is_written {
+        let mut bytes = store::read(path, MAX_BYTES)?.unwrap_or_default();
+        for case in &cases {
+            bytes.extend(case.line().bytes().chain([b'\n']));
+        }
+        store::write(path, &bytes)?;
     }
-    if unseen.is_empty() || std::env::var_os("CI").is_some() {
-        return Ok(());
-    }
-    let mut bytes = store::read(path, MAX_BYTES)?.unwrap_or_default();
-    for case in &unseen {
-        bytes.extend(case.line().bytes().chain([b'\n']));
-    }
-    store::write(path, &bytes)?;
-    println!(
-        "kept in {}, and judged again by every run: commit them with the fix, or take them out if \
-         the code was broken on purpose",
-        path.display()
-    );
-    Ok(())
+    Ok(Unseen { cases, is_written })
 }
 
 /// A case with what it was found to be.

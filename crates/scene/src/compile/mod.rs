@@ -114,6 +114,7 @@ pub(crate) fn compile<C>(
         camera,
         size: Size { width: file.image.0, height: file.image.1 },
         samples: samples.unwrap_or(SampleGrid::ONE),
+        error: file.error,
         world: Group::new(Transform::IDENTITY, world, build),
         lights,
         convention,

@@ -73,6 +73,10 @@ pub struct SceneFile<Check = Unchecked> {
     /// Samples in each pixel on a regular grid: a square number.
     #[serde(default = "one_sample", skip_serializing_if = "is_one_sample")]
     pub samples_per_pixel: u32,
+    /// Samples are added where a pixel's neighborhood differs, until its error
+    /// is estimated to be at most this; see [`tracer::SceneParts::error`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
     /// How the picture is stored in 8 bits.
     #[serde(default, skip_serializing_if = "is_default")]
     pub encoding: Encoding,
@@ -148,6 +152,7 @@ impl<Check> SceneFile<Check> {
             exposure: self.exposure,
             show: self.show,
             samples_per_pixel: self.samples_per_pixel,
+            error: self.error,
             encoding: self.encoding,
             check: None,
         }

@@ -16,6 +16,7 @@ mod image;
 mod instance;
 mod mesh;
 mod plane;
+mod slivers;
 mod spawn;
 mod sphere;
 mod sphere_surface;
@@ -42,6 +43,7 @@ pub fn all() -> Vec<Family> {
         instance::families(),
         spawn::families(),
         creases::families(),
+        slivers::families(),
         camera::families(),
         image::families(),
     ]

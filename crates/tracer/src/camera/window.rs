@@ -43,8 +43,11 @@ impl Camera {
         let size = max_abs(self.e) + bounds.max_abs() + self.view_width + self.view_height;
         let mut seen: Option<[[f64; 2]; 2]> = None;
         let mut behind = 0;
-        for corner in bounds.widened(MARGIN * size).corners() {
-            let Some([a, b]) = self.window_point(corner, MARGIN * size) else {
+        let margin = MARGIN * size;
+        for corner in bounds.widened(margin).corners() {
+            // By half of what it was widened, so that what is ahead by nothing
+            // to speak of stays ahead.
+            let Some([a, b]) = self.window_point(corner, 0.5 * margin) else {
                 behind += 1;
                 continue;
             };
@@ -98,12 +101,12 @@ impl Camera {
     }
 
     /// The point `(a, b)` of the window whose ray passes through `p`; `None` if
-    /// `p` is not ahead of every ray by more than `margin`.
-    fn window_point(&self, p: DVec3, margin: f64) -> Option<[f64; 2]> {
+    /// `p` is not ahead of every ray's start by more than `least`.
+    fn window_point(&self, p: DVec3, least: f64) -> Option<[f64; 2]> {
         let w = self.u.cross(*self.v);
         let from_eye = p - self.e;
         let ahead = from_eye.dot(w) / self.forward.dot(w);
-        if !(ahead > margin) {
+        if !(ahead > least) {
             return None;
         }
         // In the window's plane through the eye, along the view.
@@ -206,6 +209,29 @@ mod tests {
         let found = [a[0], a[1], b[0], b[1]];
         for (found, expected) in found.into_iter().zip([-third, third, 0.0, 2.0 * third]) {
             assert!((found - expected).abs() < 1e-4, "{found} {expected}");
+        }
+    }
+
+    #[test]
+    fn what_is_ahead_by_next_to_nothing_is_seen() {
+        for projection in [Projection::Parallel, Projection::Perspective { proj_distance: 1.0 }] {
+            let view = View {
+                view_point: DVec3::ZERO,
+                view_dir: -DVec3::Z,
+                view_up: DVec3::Y,
+                proj_normal: None,
+                view_width: 1.0,
+                view_height: 1.0,
+            };
+            let camera = Camera::new(&view, projection).unwrap();
+            for ahead in [1e-30, 1e-22, 1e-20, 1e-9] {
+                let near = dvec3(1.0, 1.0, -ahead);
+                for far in [1.0, -ahead] {
+                    let bounds = Aabb { min: -near.with_z(ahead), max: near.with_z(far) };
+                    let seen = camera.sees_box(&bounds);
+                    assert!(is_in(seen, [0.3, -0.2]), "{ahead} {far} {seen:?}");
+                }
+            }
         }
     }
 

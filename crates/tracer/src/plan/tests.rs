@@ -24,6 +24,7 @@ fn scene(members: Vec<Member>, lights: Vec<Light>, show: Show) -> Scene {
         camera: Camera::look_at(DVec3::Z * 8.0, DVec3::ZERO, DVec3::Y, 40.0, aspect).unwrap(),
         size,
         samples: SampleGrid::new(4).unwrap(),
+        error: None,
         world: Group::new(Transform::IDENTITY, members, Build::Bvh),
         lights,
         convention: Convention::Classic,

@@ -13,14 +13,19 @@ pub(super) type Members = u64;
 
 /// The bit of a member.
 pub(super) fn bit_of(member: usize) -> Members {
-    1 << member.min(Members::BITS as usize - 1)
+    if member < Members::BITS as usize - 1 { 1 << member } else { REST }
 }
+
+/// The bit of all members that have none of their own.
+pub(super) const REST: Members = 1 << (Members::BITS - 1);
 
 /// For each tile who may be seen in it; row 0 is the lowest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tiles {
     columns: u32,
     rows: u32,
+    /// Those that are seen in every tile, and so need not be marked in each.
+    everywhere: Members,
     seen: Vec<Members>,
 }
 
@@ -28,7 +33,7 @@ impl Tiles {
     /// Every tile shows these.
     pub(super) fn all(size: Size, seen: Members) -> Self {
         let (columns, rows) = (size.width.div_ceil(SIDE), size.height.div_ceil(SIDE));
-        Self { columns, rows, seen: vec![seen; columns as usize * rows as usize] }
+        Self { columns, rows, everywhere: seen, seen: vec![0; columns as usize * rows as usize] }
     }
 
     /// Marks where a member is seen.
@@ -36,9 +41,12 @@ impl Tiles {
         /// In pixels, for what is seen on the border of one.
         const MARGIN: f64 = 0.01;
         let (width, height) = (f64::from(size.width), f64::from(size.height));
+        if self.everywhere & member != 0 {
+            return;
+        }
         match seen {
             Seen::Nowhere => {}
-            Seen::Everywhere => self.seen.iter_mut().for_each(|tile| *tile |= member),
+            Seen::Everywhere => self.everywhere |= member,
             Seen::Between { a, b } => {
                 let tiles = |[lo, hi]: [f64; 2], extent: f64, pixels: f64, count: u32| {
                     let tile = |x: f64| (x / extent + 0.5) * pixels;
@@ -80,11 +88,12 @@ impl Tiles {
 
     /// Who may be seen in pixel `(i, j)`, row 0 at the bottom.
     pub(super) fn seen_in(&self, i: u32, j: u32) -> Members {
-        self.seen[(j / SIDE * self.columns + i / SIDE) as usize]
+        self.everywhere | self.seen[(j / SIDE * self.columns + i / SIDE) as usize]
     }
 
     /// How many show anything, and how many there are.
     pub(super) fn counts(&self) -> (usize, usize) {
-        (self.seen.iter().filter(|seen| **seen != 0).count(), self.seen.len())
+        let seen = self.seen.iter().filter(|seen| **seen | self.everywhere != 0);
+        (seen.count(), self.seen.len())
     }
 }

@@ -172,9 +172,11 @@ impl Mesh {
     /// an edge or corner, where the ray starts on several, it meets none that
     /// its start's rounding alone puts in its way.
     fn may_meet(&self, direction: DVec3, from: Option<Departure>, other: u32) -> bool {
-        let of = |i| self.corners(i);
-        from.is_none_or(|Departure { part, .. }| {
-            other != part && !triangle::is_turned_from(of(other), of(part), direction)
+        // A part that this mesh has not got is another's.
+        let left = from.filter(|from| (from.part as usize) < self.faces.len());
+        left.is_none_or(|Departure { part, .. }| {
+            let (other_one, start) = (self.corners(other), self.corners(part));
+            other != part && !triangle::is_turned_from(other_one, start, direction)
         })
     }
 

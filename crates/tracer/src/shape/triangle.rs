@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::{Contact, Departure, Geometry, SurfacePoint};
 use crate::math::{
-    Long, UNIT_ROUNDOFF, cross, difference_of_products, dot, dot_of_difference, long_product,
-    long_quotient, long_sum, max_abs, power_of_two_below, two_sum,
+    Long, UNIT_ROUNDOFF, difference_of_products, long_product, long_quotient, long_sum, max_abs,
+    power_of_two_below, two_sum,
 };
 use crate::refused::{point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -100,28 +100,28 @@ fn point_error(corners: [DVec3; 3]) -> f64 {
 /// which all of `start`'s corners are: whatever point of `start` a ray comes
 /// from, it cannot meet the triangle.
 ///
-/// What rounding might have done counts against the direction and for the
-/// corners: one that is in the plane, such as a shared one, or as close to it
-/// as the start of a ray may be by its own rounding, is on either side.
+/// A corner that is as close to the plane as the start of a ray may be by its
+/// own rounding, such as a shared one, is on either side. Everything else is
+/// decided with twice the digits: the normal of a sliver has few of its own.
 pub(super) fn is_turned_from([a, b, c]: [DVec3; 3], start: [DVec3; 3], direction: DVec3) -> bool {
-    // The edges are rounded once, their products a few times, and the dot
-    // products are as good as exact: 20 roundings in all.
-    const ROUNDINGS: f64 = 32.0;
-    let (e, f) = (b - a, c - a);
-    let unit = max_abs(e).max(max_abs(f));
-    let (e, f) = (e / unit, f / unit);
-    let normal = cross(e, f);
-    let doubt = ROUNDINGS * UNIT_ROUNDOFF * (max_abs(e) * max_abs(f));
-    let forward = dot(direction, normal);
-    if !(forward.abs() > doubt * max_abs(direction)) {
+    /// Of numbers with twice the digits, some of which have cancelled: what is
+    /// left of the normal of a triangle as thin as can be is above this.
+    const DOUBT: f64 = UNIT_ROUNDOFF * UNIT_ROUNDOFF * 64.0;
+    let difference = |p: DVec3| [0, 1, 2].map(|k| two_sum(p[k], -a[k]));
+    let (e, f) = (difference(b), difference(c));
+    let normal = [[1, 2], [2, 0], [0, 1]].map(|[k, l]| determinant(e[k], f[l], e[l], f[k]));
+    let along_normal = |v: [Long; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|k| long_product(v[k], normal[k]));
+        long_sum(long_sum(x, y), z).0
+    };
+    let forward = along_normal(direction.to_array().map(|d| (d, 0.0)));
+    let doubt = DOUBT * max_abs(b - a) * max_abs(c - a) * max_abs(direction);
+    if !(forward.abs() > doubt) {
         return false;
     }
-    let side = forward.signum();
-    let start_error = point_error(start) * normal.length();
-    start.into_iter().all(|p| {
-        let height = side * dot_of_difference(p, a, normal);
-        height >= -(doubt * max_abs(p - a) + start_error)
-    })
+    let length = DVec3::from_array(normal.map(|n| n.0)).length();
+    let start_error = point_error(start) * length;
+    start.into_iter().all(|p| forward.signum() * along_normal(difference(p)) >= -start_error)
 }
 
 /// A ray made ready for many triangles: the map that takes it to the positive
@@ -292,8 +292,8 @@ impl Shear {
         let Edges { moved: [a, b, c], u, v, w } = *edges;
         let det = u + v + w;
         let along = (u * a[2] + v * b[2] + w * c[2]) / det;
-        // The areas are off by 3 roundings of their products, and each draws
-        // the mean towards its corner.
+        // The moved corners are off by 3 roundings, and so the areas by 8 of
+        // their products; each draws the mean towards its corner.
         let draw = |p: [f64; 3], q: [f64; 3], corner: [f64; 3]| {
             ((p[0] * q[1]).abs() + (p[1] * q[0]).abs()) * (corner[2] - along).abs()
         };
@@ -322,7 +322,7 @@ impl Shear {
         let side = edges.u + edges.v + edges.w;
         let area = |p: [Long; 3], q: [Long; 3]| {
             let area = determinant(p[0], q[1], p[1], q[0]);
-            if area.0 * side > 0.0 { area } else { (0.0, 0.0) }
+            if area.0 * side.signum() > 0.0 { area } else { (0.0, 0.0) }
         };
         let (u, v, w) = (area(c, b), area(a, c), area(b, a));
         let det = long_sum(long_sum(u, v), w);
@@ -334,9 +334,10 @@ impl Shear {
     }
 }
 
-/// `t` is computed again with twice the digits where rounding may draw it by
-/// more than this many times 3 roundings.
-const MOST_DRAWN: f64 = 4.0;
+/// `t` is computed again with twice the digits where rounding the areas may draw
+/// it by more than this many times 8 roundings. With the 5 of the mean and the
+/// 4 of the quotients that leaves less than 16.
+const MOST_DRAWN: f64 = 0.5;
 
 /// `a b - c d` of long numbers, right to a few `u^2` of the products.
 fn determinant(a: Long, b: Long, c: Long, d: Long) -> Long {

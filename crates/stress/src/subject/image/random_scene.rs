@@ -50,6 +50,7 @@ pub(super) fn random_scene(number: u64, build: Build) -> Result<Scene, Refused> 
         camera: camera(random)?,
         size: SIZE,
         samples: SampleGrid::new(random.one_of(&[1, 1, 1, 4, 9]))?,
+        error: None,
         world: Group::new(Transform::IDENTITY, members, build),
         lights,
         convention: random.one_of(&[
@@ -142,10 +143,12 @@ pub(super) fn sparse_scene(number: u64) -> Result<Scene, Refused> {
     let up = random.across(away);
     let wide = Camera::look_at(eye, eye + away, up, random.between(5.0, 150.0), aspect);
     let camera = if random.coin() { wide } else { camera(random) }?;
+    let samples = random.one_of(&[1, 4]);
     Scene::new(SceneParts {
         camera,
         size,
-        samples: SampleGrid::new(random.one_of(&[1, 4]))?,
+        samples: SampleGrid::new(samples)?,
+        error: (samples == 1 && random.coin()).then_some(0.03),
         world: Group::new(Transform::IDENTITY, members, Build::Bvh),
         lights: vec![light(random)?, light(random)?],
         convention: Convention::Classic,

@@ -76,6 +76,14 @@ fn a_ray_that_leaves_a_triangle_does_not_meet_it_again_but_meets_the_others() {
 }
 
 #[test]
+fn a_ray_that_leaves_what_is_not_there_leaves_nothing() {
+    let mesh = square(None, Build::Bvh);
+    let from = Departure { part: 99, outward: true };
+    assert!(mesh.intersect_leaving(&down(1.5, 0.5), Interval::AHEAD, from).is_some());
+    assert!(mesh.occludes_leaving(&down(1.5, 0.5), Interval::AHEAD, from));
+}
+
+#[test]
 fn a_ray_from_a_crease_meets_neither_of_its_sides() {
     // A fold of 45 degrees along y, from a start as far behind the slope as
     // rounding may put it.

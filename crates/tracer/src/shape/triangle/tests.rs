@@ -112,6 +112,34 @@ fn t_keeps_its_digits_where_the_weights_lose_theirs() {
 }
 
 #[test]
+fn t_is_right_to_sixteen_last_places_near_the_worst_that_is_not_computed_again() {
+    // Found by search: 16.8 last places off in plain arithmetic.
+    let f = |bits: [u64; 3]| DVec3::from_array(bits.map(f64::from_bits));
+    let origin = f([0xbfdf_ec0a_fab9_8523, 0xbfcf_127a_82e6_521e, 0xbfc5_a8f8_b773_1816]);
+    let direction = f([0x3f78_1c0d_05f4_2b8a, 0x3fd9_4472_3ee7_ff86, 0x3fd4_626b_54c9_0928]);
+    let a = f([0xbfd4_a537_32ca_ad15, 0xbfec_74e8_5841_0900, 0xbfd6_2939_48f5_53fb]);
+    let b = f([0xbfe2_7ec2_cd92_1e07, 0x3f9c_d035_261d_587b, 0xbfa4_2f2e_d27e_0b00]);
+    let c = f([0x3fea_8924_f30e_47f6, 0x3fe8_6e47_edcc_d3ec, 0x3fdf_8acc_fcae_1da7]);
+    let ray = Ray::new(origin, direction);
+    let t = Shear::new(&ray).intersect([a, b, c], AHEAD).unwrap().t;
+    let exact = 0.240_307_008_796_008_44;
+    assert!((t - exact).abs() <= 16.0 * 2.8e-17, "{t} {:e}", t - exact);
+}
+
+#[test]
+fn t_keeps_its_digits_at_every_size() {
+    // Next to an edge, where the areas are of very different sizes.
+    for exponent in [-250, -260, -264, -265, -266, -270, -300, 200] {
+        let size = libm::exp2(f64::from(exponent));
+        let corners = [dvec3(0.0, 0.0, 0.0), dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 1.0)];
+        let ray = Ray::new(dvec3(0.5, 1e-6, 1.0 / 64.0) * size, dvec3(0.0, 0.0, -1.0));
+        let t = Shear::new(&ray).intersect(corners.map(|p| p * size), AHEAD).unwrap().t;
+        let exact = (1.0 / 64.0 - 1e-6) * size;
+        assert!((t - exact).abs() <= 1e-15 * exact, "2^{exponent}: {t:e} {exact:e}");
+    }
+}
+
+#[test]
 fn no_ray_passes_between_two_triangles_where_the_textbook_leaks() {
     let mut rng = fastrand::Rng::with_seed(11);
     let mut any = || dvec3(rng.f64(), rng.f64(), rng.f64()) * 2.0 - 1.0;
