@@ -86,7 +86,7 @@ fn threads_and_accelerators() -> Family {
 fn skipping() -> Family {
     family(
         "skipping",
-        Volume { quick: 100, full: 20_000 },
+        Volume { quick: 60, full: 2_000 },
         |random| Case::EMPTY.with(random.between(NUMBERS.start, NUMBERS.end).floor()),
         |case, tally| {
             let scene = sparse_scene(case.number(0) as u64).ok();

@@ -117,46 +117,83 @@ fn group(random: &mut Random, build: Build, depth: u32) -> Result<Member, Refuse
     Ok(Member::Group(Group::new(transform(random)?, members, build)))
 }
 
-/// The sparse scene of this number: a thing or a few, seen from among them,
-/// so that much of the picture shows none and some are behind.
+/// The sparse scene of this number: a thing or a few, seen from among them or
+/// from their very surfaces, so that much of the picture shows none and some are
+/// behind; now and then very many. For all that a plan may leave out.
 ///
 /// # Errors
 /// As [`random_scene`].
 pub(super) fn sparse_scene(number: u64) -> Result<Scene, Refused> {
     let random = &mut Random::of_chunk(number, "image/sparse-scene", 0);
     let size = Size { width: 67, height: 53 };
-    let aspect = f64::from(size.width) / f64::from(size.height);
+    let is_many = random.below(10) == 0;
+    // A list of many would take all the time there is.
+    let build = if is_many || random.coin() { Build::Bvh } else { Build::List };
     let mut members = Vec::new();
-    for _ in 0..=random.below(8) {
-        members.push(object(random, Build::Bvh)?);
+    // Many: around the most that a plan tells apart.
+    let count =
+        if is_many { random.one_of(&[61, 62, 63, 64, 65, 90]) } else { 1 + random.below(8) };
+    for _ in 0..count {
+        members.push(object(random, build)?);
     }
     match random.below(6) {
-        0 => members.push(group(random, Build::Bvh, 2)?),
+        0 => members.push(group(random, build, 2)?),
         1 => {
             let ground = Plane::new(random.point() * REACH, random.direction())?;
-            members.push(Member::Object(Object::new(ground.into(), material(random)?)));
+            let ground = Member::Object(Object::new(ground.into(), material(random)?));
+            // A group of nothing beside it.
+            members.push(Member::Group(Group::new(transform(random)?, vec![], build)));
+            members.push(ground);
+        }
+        2 => {
+            let ground = Plane::new(random.point() * REACH, random.direction())?;
+            let ground = Member::Object(Object::new(ground.into(), material(random)?));
+            members.push(Member::Group(Group::new(transform(random)?, vec![ground], build)));
         }
         _ => {}
     }
-    let eye = random.direction() * random.between(0.3, 4.0) * REACH;
-    let away = random.direction();
-    let up = random.across(away);
-    let wide = Camera::look_at(eye, eye + away, up, random.between(5.0, 150.0), aspect);
-    let camera = if random.coin() { wide } else { camera(random) }?;
     let samples = random.one_of(&[1, 4]);
     Scene::new(SceneParts {
-        camera,
+        camera: sparse_camera(random, size)?,
         size,
         samples: SampleGrid::new(samples)?,
-        error: (samples == 1 && random.coin()).then_some(0.03),
-        world: Group::new(Transform::IDENTITY, members, Build::Bvh),
+        error: (samples == 1 && !is_many && random.coin()).then_some(0.1),
+        world: Group::new(Transform::IDENTITY, members, build),
         lights: vec![light(random)?, light(random)?],
-        convention: Convention::Classic,
-        shadows: true,
+        convention: random.one_of(&[
+            Convention::Classic,
+            Convention::Attenuated,
+            Convention::Radiometric,
+        ]),
+        shadows: random.below(8) > 0,
         background: BACKGROUND,
         exposure: 1.3,
         show: show(random),
     })
+}
+
+/// Wide or narrow, oblique or straight, along an axis or not.
+fn sparse_camera(random: &mut Random, size: Size) -> Result<Camera, Refused> {
+    let aspect = f64::from(size.width) / f64::from(size.height);
+    let any = random.direction();
+    let away = random.one_of(&[any, any, DVec3::X, -DVec3::Y, DVec3::Z]);
+    let up = random.across(away);
+    let eye = random.direction() * random.between(0.0, 4.0) * REACH;
+    if random.coin() {
+        return Camera::look_at(eye, eye + away, up, random.between(5.0, 170.0), aspect);
+    }
+    let view_height = random.decades(0.1, 10.0);
+    let view = View {
+        view_point: eye,
+        view_dir: away,
+        view_up: up,
+        // Up to flat against the view.
+        proj_normal: random.coin().then(|| around(random, -away, 0.999)),
+        view_width: view_height * aspect,
+        view_height,
+    };
+    let perspective = Projection::Perspective { proj_distance: random.decades(0.05, 5.0) };
+    Camera::new(&view, if random.coin() { perspective } else { Projection::Parallel })
 }
 
 /// Turned, stretched, sheared or mirrored, and moved.
