@@ -266,9 +266,8 @@ impl Group {
         closest
     }
 
-    /// Calls `visit` with every object, in which member it is, the boxes that hold it in this group's
-    /// parent's space, and how much more than a shape's own formulas its hits
-    /// round.
+    /// Calls `visit` with every object, the boxes being in the space of this
+    /// group's parent.
     pub(crate) fn visit(&self, visit: &mut Visit<'_>) {
         for (i, member) in self.members.iter().enumerate() {
             match member {
