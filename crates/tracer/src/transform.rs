@@ -153,11 +153,16 @@ impl Transform {
     /// inverse rounds in proportion to its own size, and going out stretches
     /// that: together the condition of the map.
     fn rounding(&self, size: f64) -> f64 {
-        /// Four to go out, eight to come in again by an inverse that was
-        /// composed as the map was, and room to spare.
-        const ROUNDINGS: f64 = 16.0;
+        /// To go out: three products and three sums.
+        const OUT: f64 = 4.0;
+        /// To come in again, by an inverse that was composed as the map was.
+        const IN: f64 = 8.0;
+        /// Of the translation, which is added once on each way; it may itself
+        /// be a sum of several.
+        const MOVED: f64 = 6.0;
         let translation = max_abs(self.parent_from_object.translation);
-        ROUNDINGS * UNIT_ROUNDOFF * (self.condition() * self.stretch() * size + translation)
+        let linear = (OUT + IN * self.condition()) * self.stretch() * size;
+        UNIT_ROUNDOFF * (linear + MOVED * translation)
     }
 
     /// The condition of the map: how many times more than its result rounding

@@ -169,7 +169,9 @@ impl Spawn<'_> {
         let after = Interval::new(TMIN, f64::INFINITY);
         let rays =
             [(known, ahead, 0.0), (unknown, ahead, 0.0), (plain, after, TMIN), (plain, ahead, 0.0)];
-        let bound = self.gap(hit.part, hit.point).abs() / hit.point_error;
+        let gap = self.gap(hit.part, hit.point).abs();
+        // A point that is exactly on the surface needs no bound.
+        let bound = if gap == 0.0 { 0.0 } else { gap / hit.point_error };
         let is_upright = self.is_upright(&hit);
         let asked = if is_shown(self.case) { tallies.len() } else { 1 };
         for ((ray, range, skipped), tally) in rays.into_iter().zip(tallies).take(asked) {
