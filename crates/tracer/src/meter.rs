@@ -102,8 +102,33 @@ events! {
 impl Event {
     /// Whether it is a ray held against a primitive.
     pub fn is_primitive_test(self) -> bool {
-        use Event::{AxisBox, Cone, Cylinder, Disk, Plane, Sphere, Torus, Triangle};
-        matches!(self, Sphere | Triangle | AxisBox | Plane | Disk | Cylinder | Cone | Torus)
+        self.primitive().is_some()
+    }
+
+    /// The primitive that a ray is held against, and several of it; `None` if
+    /// it is another event.
+    pub(crate) fn primitive(self) -> Option<(&'static str, &'static str)> {
+        match self {
+            Self::Sphere => Some(("sphere", "spheres")),
+            Self::Triangle => Some(("triangle", "triangles")),
+            Self::AxisBox => Some(("box", "boxes")),
+            Self::Plane => Some(("plane", "planes")),
+            Self::Disk => Some(("disk", "disks")),
+            Self::Cylinder => Some(("cylinder", "cylinders")),
+            Self::Cone => Some(("cone", "cones")),
+            Self::Torus => Some(("torus", "tori")),
+            Self::Pixel
+            | Self::SkippedPixel
+            | Self::RefinedPixel
+            | Self::EyeRay
+            | Self::ShadedHit
+            | Self::HalfVector
+            | Self::ShadowRay
+            | Self::SkippedShadowRay
+            | Self::Group
+            | Self::Node
+            | Self::Mesh => None,
+        }
     }
 }
 

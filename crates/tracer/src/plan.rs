@@ -138,11 +138,14 @@ impl Census {
             "eye rays: {samples} a pixel{more}, in {seen} of {all} tiles of {SIDE} x {SIDE} pixels, held \
              against what the tile may show; the others are background"
         ));
-        let there = self.shapes.iter().map(|(kind, n)| counted(*n, kind_word(*kind)));
-        let kinds = Event::ALL.into_iter().filter(|event| event.is_primitive_test());
-        let not_there = kinds.filter(|kind| self.shapes.iter().all(|(there, _)| there != kind));
-        let not_there: Vec<_> = not_there.map(|kind| kind_word(kind).1).collect();
-        let there: Vec<_> = there.collect();
+        let (mut there, mut not_there) = (Vec::new(), Vec::new());
+        for kind in Event::ALL {
+            let Some(words) = kind.primitive() else { continue };
+            match self.shapes.iter().find(|(found, _)| *found == kind) {
+                Some((_, n)) => there.push(counted(*n, words)),
+                None => not_there.push(words.1),
+            }
+        }
         notes.push(format!(
             "shapes: {}; no code runs for {}",
             if there.is_empty() { "none".to_owned() } else { there.join(", ") },
@@ -186,20 +189,6 @@ impl Census {
 /// `1 thing` or `7 things`.
 fn counted(n: usize, (one, many): (&str, &str)) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
-}
-
-/// A primitive and several of it.
-fn kind_word(kind: Event) -> (&'static str, &'static str) {
-    match kind {
-        Event::Sphere => ("sphere", "spheres"),
-        Event::AxisBox => ("box", "boxes"),
-        Event::Plane => ("plane", "planes"),
-        Event::Disk => ("disk", "disks"),
-        Event::Cylinder => ("cylinder", "cylinders"),
-        Event::Cone => ("cone", "cones"),
-        Event::Torus => ("torus", "tori"),
-        _ => ("triangle", "triangles"),
-    }
 }
 
 impl Material {

@@ -8,7 +8,6 @@ mod camera;
 mod chain;
 mod closest;
 mod cone;
-mod creases;
 mod cylinder;
 mod disk;
 mod frustum;
@@ -16,7 +15,6 @@ mod image;
 mod instance;
 mod mesh;
 mod plane;
-mod slivers;
 mod spawn;
 mod sphere;
 mod sphere_surface;
@@ -42,8 +40,6 @@ pub fn all() -> Vec<Family> {
         mesh::families(),
         instance::families(),
         spawn::families(),
-        creases::families(),
-        slivers::families(),
         camera::families(),
         image::families(),
     ]

@@ -22,14 +22,20 @@ use crate::number::{Dd, V3};
 use crate::truth::UNIT_ROUNDOFF;
 use crate::{Case, Metric, Random, Tally};
 
+mod creases;
 mod object;
+mod slivers;
 mod style;
 
 /// Every family of spawned rays.
 pub(super) fn families() -> Vec<Family> {
     // The way inside is badly conditioned where coordinates are of all sizes.
     let ties = |style: &Style| if style.any_coordinates { 5000.0 } else { 1000.0 };
-    STYLES.iter().map(|style| family(*style).with_ties(ties(style))).collect()
+    let mut families: Vec<_> =
+        STYLES.iter().map(|style| family(*style).with_ties(ties(style))).collect();
+    families.extend(creases::families());
+    families.extend(slivers::families());
+    families
 }
 
 /// 1e9 rays over all families.
@@ -68,6 +74,30 @@ fn ball(place: Place) -> Option<Ball> {
 
 fn alone(shape: Shape) -> Group {
     Group::world(vec![Member::Object(tracer::Object::new(shape, Material::Normal))])
+}
+
+/// A mesh alone in a world; `None` if it is refused, which none is.
+fn alone_mesh(vertices: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Option<Group> {
+    let mesh = Mesh::new(vertices, faces, None, Build::Bvh).ok()?;
+    Some(alone(mesh.into()))
+}
+
+/// Those who leave a hit for a point: a ray that knows what it leaves, and for
+/// contrast one that only starts off it.
+const LEAVERS: [Kernel; 2] = [Kernel::GOLDRAY, Kernel::textbook("goldray-offset-only")];
+
+/// Puts the rays of [`LEAVERS`] to `judge`, each with its tally.
+fn leave_for(hit: &Hit, to: DVec3, tallies: &mut [Tally], judge: impl Fn(&Ray, &mut Tally)) {
+    let known = hit.leaving_to(to);
+    let unknown = Ray { leaving: None, ..known };
+    for (ray, tally) in [known, unknown].iter().zip(tallies) {
+        tally.case();
+        if ray.origin.is_finite() && ray.direction.is_finite() {
+            judge(ray, tally);
+        } else {
+            tally.count(Metric::NotFinite);
+        }
+    }
 }
 
 fn family(style: Style) -> Family {

@@ -1,7 +1,8 @@
 //! The shapes: geometry only, in object space, without material or transform.
 //!
 //! To add one: write its file with an `impl Geometry`, add its line to
-//! `shapes!` below, its variant to the scene format, and a fixture. The
+//! `shapes!` below, what a test of it counts as to [`crate::Event`], its variant
+//! to the scene format, and a fixture. The
 //! properties of `tests/properties.rs` then need one line to cover it.
 
 mod axial;

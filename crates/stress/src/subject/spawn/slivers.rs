@@ -1,12 +1,11 @@
 //! Rays that leave the floor of a closed room whose ceiling has a sliver in it:
 //! whatever a triangle's normal is worth, they must not get out.
 
-use tracer::accel::Build;
 use tracer::glam::DVec3;
-use tracer::shape::Mesh;
-use tracer::{Group, Interval, Material, Member, Object, Ray};
+use tracer::{Group, Interval, Ray};
 
-use crate::family::{Family, Kernel, Volume};
+use super::{LEAVERS, alone_mesh, leave_for};
+use crate::family::{Family, Volume};
 use crate::{Case, Metric, Random, Tally};
 
 /// Every family of slivers.
@@ -14,7 +13,7 @@ pub(super) fn families() -> Vec<Family> {
     vec![Family {
         primitive: "spawn",
         name: "slivers".to_owned(),
-        kernels: vec![Kernel::GOLDRAY, Kernel::textbook("goldray-offset-only")],
+        kernels: LEAVERS.to_vec(),
         targets: vec![
             (Metric::Leaks, Some(0.0)),
             (Metric::SelfHits, Some(0.0)),
@@ -58,26 +57,16 @@ fn judge(case: &Case, tallies: &mut [Tally]) {
     let inside = start + DVec3::Y * (0.5 * case.number(0));
     let down = Ray::new(inside, -DVec3::Y);
     let Some(hit) = world.intersect(&down, Interval::AHEAD) else { return };
-    let known = hit.leaving_to(above);
-    let unknown = Ray { leaving: None, ..known };
-    for (ray, tally) in [known, unknown].iter().zip(tallies) {
-        tally.case();
-        if !(ray.origin.is_finite() && ray.direction.is_finite()) {
-            tally.count(Metric::NotFinite);
-            continue;
-        }
-        let Some(next) = world.intersect(ray, Interval::new(0.0, 1.0)) else {
-            tally.count(Metric::Leaks);
-            continue;
-        };
-        if !world.occludes(ray, Interval::new(0.0, 1.0)) {
+    leave_for(&hit, above, tallies, |ray, tally| {
+        let next = world.intersect(ray, Interval::new(0.0, 1.0));
+        if next.is_none() || !world.occludes(ray, Interval::new(0.0, 1.0)) {
             tally.count(Metric::Leaks);
         }
         // The ceiling is at two thirds of the way at most, and not at the start.
-        if next.t < 1e-3 {
+        if next.is_some_and(|hit| hit.t < 1e-3) {
             tally.count(Metric::SelfHits);
         }
-    }
+    });
 }
 
 /// The room, `[-1, 1]` wide and deep, from 0 to its height.
@@ -111,6 +100,5 @@ fn room(case: &Case) -> Option<Group> {
     faces.extend([[3, 2, 10], [3, 10, 9], [3, 9, 7], [2, 6, 10]]);
     faces.extend([[0, 4, 8], [0, 8, 1], [1, 8, 5]]);
     faces.extend([[0, 2, 1], [0, 3, 2], [0, 7, 4], [0, 3, 7], [1, 5, 6], [1, 6, 2]]);
-    let mesh = Mesh::new(vertices, faces, None, Build::Bvh).ok()?;
-    Some(Group::world(vec![Member::Object(Object::new(mesh.into(), Material::Normal))]))
+    alone_mesh(vertices, faces)
 }

@@ -6,12 +6,11 @@
 
 use std::ops::Range;
 
-use tracer::accel::Build;
 use tracer::glam::DVec3;
-use tracer::shape::Mesh;
-use tracer::{Group, Interval, Material, Member, Object, Ray};
+use tracer::{Group, Interval, Ray};
 
-use crate::family::{Family, Kernel, Volume};
+use super::{LEAVERS, alone_mesh, leave_for};
+use crate::family::{Family, Volume};
 use crate::{Case, Metric, Random, Tally};
 
 const VOLUME: Volume = Volume { quick: 50_000, full: 5_000_000 };
@@ -46,7 +45,7 @@ fn family(name: &str, place: Place) -> Family {
     Family {
         primitive: "spawn",
         name: name.to_owned(),
-        kernels: vec![Kernel::GOLDRAY, Kernel::textbook("goldray-offset-only")],
+        kernels: LEAVERS.to_vec(),
         targets: vec![
             (Metric::SelfHits, Some(0.0)),
             (Metric::Leaks, Some(0.0)),
@@ -113,14 +112,7 @@ fn judge(case: &Case, tallies: &mut [Tally]) {
         // That a ray from inside is never lost is asked of `mesh/*`.
         return;
     };
-    let known = hit.leaving_to(to);
-    let unknown = Ray { leaving: None, ..known };
-    for (ray, tally) in [known, unknown].iter().zip(tallies) {
-        tally.case();
-        if !(ray.origin.is_finite() && ray.direction.is_finite()) {
-            tally.count(Metric::NotFinite);
-            continue;
-        }
+    leave_for(&hit, to, tallies, |ray, tally| {
         let next = world.intersect(ray, Interval::AHEAD);
         if next.is_none() {
             tally.count(Metric::Leaks);
@@ -129,7 +121,7 @@ fn judge(case: &Case, tallies: &mut [Tally]) {
         if is_early || world.occludes(ray, Interval::new(0.0, 1.0)) {
             tally.count(Metric::SelfHits);
         }
-    }
+    });
 }
 
 /// The tetrahedron alone in a world, its sides cut in four at the middles of
@@ -148,6 +140,5 @@ fn tetrahedron(corners: [DVec3; 4]) -> Option<Group> {
         let [i, j, k] = [i, j, k].map(|corner| corner as u32);
         [[i, ij, ki], [j, jk, ij], [k, ki, jk], [ij, jk, ki]]
     });
-    let mesh = Mesh::new(vertices, quarters.collect(), None, Build::Bvh).ok()?;
-    Some(Group::world(vec![Member::Object(Object::new(mesh.into(), Material::Normal))]))
+    alone_mesh(vertices, quarters.collect())
 }
