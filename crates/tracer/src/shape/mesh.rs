@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::triangle::{self, Shear};
 use super::{Contact, Departure, Geometry, SurfacePoint};
-use crate::accel::{Accelerator, Build};
+use crate::accel::{Accelerator, Build, Coherence};
 use crate::meter::{Event, Meter, Unmetered};
 use crate::refused::{point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -115,6 +115,34 @@ impl Mesh {
             false
         });
         count
+    }
+
+    /// What [`Geometry::intersect`] says of each of these rays, put in its place
+    /// in `contacts`, which is as long.
+    pub fn intersect_batch(
+        &self,
+        rays: &[Ray],
+        range: Interval,
+        _: Coherence,
+        contacts: &mut [Option<Contact>],
+    ) {
+        for (ray, contact) in rays.iter().zip(contacts) {
+            *contact = self.intersect(ray, range);
+        }
+    }
+
+    /// What [`Geometry::occludes`] says of each of these rays, put in its place
+    /// in `occluded`, which is as long.
+    pub fn occludes_batch(
+        &self,
+        rays: &[Ray],
+        range: Interval,
+        _: Coherence,
+        occluded: &mut [bool],
+    ) {
+        for (ray, occluded) in rays.iter().zip(occluded) {
+            *occluded = self.occludes(ray, range);
+        }
     }
 
     /// The first contact of a ray, which may leave one of the triangles.

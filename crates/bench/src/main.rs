@@ -1,0 +1,39 @@
+//! `bench`: goldray measured on this machine, alone and beside its peers; run
+//! as `cargo xtask bench`.
+
+mod image;
+mod trace;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Measure goldray on this machine, alone and beside its peers.
+#[derive(Debug, Parser)]
+#[command(name = "bench", bin_name = "cargo xtask bench")]
+struct Cli {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Millions of rays a second through meshes, beside other tracers
+    Trace(trace::Args),
+    /// Seconds to a picture of a given error, beside other renderers
+    Image(image::Args),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().what {
+        What::Trace(args) => trace::run(&args),
+        What::Image(args) => image::run(&args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("error: {why}");
+            ExitCode::from(2)
+        }
+    }
+}
