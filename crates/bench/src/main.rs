@@ -2,6 +2,11 @@
 //! as `cargo xtask bench`.
 
 mod image;
+mod inputs;
+mod instructions;
+mod machine;
+mod place;
+mod random;
 mod trace;
 
 use std::process::ExitCode;
@@ -22,18 +27,22 @@ enum What {
     Trace(trace::Args),
     /// Seconds to a picture of a given error, beside other renderers
     Image(image::Args),
+    /// Instructions of fixed work, counted and held against the baseline
+    Instructions(instructions::Args),
+    /// Do one of the fixed pieces of work
+    #[command(hide = true)]
+    Work(instructions::WorkArgs),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().what {
-        What::Trace(args) => trace::run(&args),
-        What::Image(args) => image::run(&args),
+        What::Trace(args) => trace::run(&args).map(|()| ExitCode::SUCCESS),
+        What::Image(args) => image::run(&args).map(|()| ExitCode::SUCCESS),
+        What::Instructions(args) => instructions::run(&args),
+        What::Work(args) => instructions::run_work(&args),
     };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(why) => {
-            eprintln!("error: {why}");
-            ExitCode::from(2)
-        }
-    }
+    done.unwrap_or_else(|why| {
+        eprintln!("error: {}", why.trim_end());
+        ExitCode::from(2)
+    })
 }
