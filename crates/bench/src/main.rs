@@ -1,12 +1,19 @@
 //! `bench`: goldray measured on this machine, alone and beside its peers; run
 //! as `cargo xtask bench`.
 
+mod bars;
 mod image;
 mod inputs;
 mod instructions;
+mod kernels;
 mod machine;
+mod measure;
 mod place;
+mod plot;
 mod random;
+mod scaling;
+mod slope;
+mod svg;
 mod trace;
 
 use std::process::ExitCode;
@@ -27,6 +34,10 @@ enum What {
     Trace(trace::Args),
     /// Seconds to a picture of a given error, beside other renderers
     Image(image::Args),
+    /// Nanoseconds of each test that a ray is held against
+    Kernels(kernels::Args),
+    /// Times against primitives, pixels, lights and threads, with their slopes
+    Scaling(scaling::Args),
     /// Instructions of fixed work, counted and held against the baseline
     Instructions(instructions::Args),
     /// Do one of the fixed pieces of work
@@ -38,6 +49,8 @@ fn main() -> ExitCode {
     let done = match Cli::parse().what {
         What::Trace(args) => trace::run(&args).map(|()| ExitCode::SUCCESS),
         What::Image(args) => image::run(&args).map(|()| ExitCode::SUCCESS),
+        What::Kernels(args) => kernels::run(&args),
+        What::Scaling(args) => scaling::run(&args),
         What::Instructions(args) => instructions::run(&args),
         What::Work(args) => instructions::run_work(&args),
     };
