@@ -2,6 +2,7 @@
 //! as `cargo xtask bench`.
 
 mod bars;
+mod check;
 mod image;
 mod inputs;
 mod instructions;
@@ -38,6 +39,8 @@ enum What {
     Kernels(kernels::Args),
     /// Times against primitives, pixels, lights and threads, with their slopes
     Scaling(scaling::Args),
+    /// Fixtures a second of the whole check, and where the time goes
+    Check(check::Args),
     /// Instructions of fixed work, counted and held against the baseline
     Instructions(instructions::Args),
     /// Do one of the fixed pieces of work
@@ -51,6 +54,7 @@ fn main() -> ExitCode {
         What::Image(args) => image::run(&args).map(|()| ExitCode::SUCCESS),
         What::Kernels(args) => kernels::run(&args),
         What::Scaling(args) => scaling::run(&args),
+        What::Check(args) => check::run(&args),
         What::Instructions(args) => instructions::run(&args),
         What::Work(args) => instructions::run_work(&args),
     };

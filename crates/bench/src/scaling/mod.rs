@@ -62,8 +62,11 @@ pub(crate) struct Threads {
     /// Seconds of the processor's, of all threads together.
     pub(crate) processor: Spread,
     /// How many times sooner than with one thread: the wall's clocks of one
-    /// round, divided.
+    /// round, divided. Other programs take from it what they use.
     pub(crate) speedup: Spread,
+    /// How many times the processor's time of one thread the same round took:
+    /// what sharing the work costs, which other programs hardly change.
+    pub(crate) overhead: Spread,
 }
 
 /// What is written for machines.
@@ -121,18 +124,19 @@ fn text(report: &Report) -> String {
         }
     }
     let _ = writeln!(text, "\nthreads: one picture, seconds");
-    for Threads { threads, wall, processor, speedup } in &report.threads {
+    for Threads { threads, wall, processor, speedup, overhead } in &report.threads {
         let _ = writeln!(
             text,
             "{threads:>12} wall {:.4} [{:.4}-{:.4}], processor {:.4}, {:.2} [{:.2}-{:.2}] times \
-             as fast as one",
+             as fast as one for {:.3} times the work",
             wall.median,
             wall.low,
             wall.high,
             processor.median,
             speedup.median,
             speedup.low,
-            speedup.high
+            speedup.high,
+            overhead.median
         );
     }
     text
@@ -179,7 +183,9 @@ mod tests {
         ];
         let found: Vec<_> = sweeps.iter().map(Sweep::slope_text).collect();
         assert_eq!(found, ["1.00", "1.00", "-"]);
-        let one = Threads { threads: 1, wall: time(1.0), processor: time(1.0), speedup: time(1.0) };
+        let ratio = time(1.0);
+        let one =
+            Threads { threads: 1, wall: ratio, processor: ratio, speedup: ratio, overhead: ratio };
         let report = Report { schema: 1, machine: Machine::here(), sweeps, threads: vec![one] };
         let svg = svg(&report);
         assert_eq!(svg.matches("<g ").count(), 2, "a panel for each thing that grows");

@@ -30,7 +30,7 @@ const NANOSECONDS: f64 = 1e9;
 const MILLISECONDS: f64 = 1e3;
 
 /// Which sizes of a sweep are taken.
-pub(super) type Keep<'a> = &'a dyn Fn(&[usize]) -> Vec<usize>;
+pub(super) type Keep<'a> = &'a (dyn Fn(&[usize]) -> Vec<usize> + Sync);
 
 /// All but that of threads. What grows is timed in turns: a slow spell of the
 /// machine meets all sizes alike.
@@ -193,13 +193,17 @@ pub(super) fn threads() -> Result<Vec<Threads>, String> {
         Spread::of(&turns.iter().map(value).collect::<Vec<_>>())
     };
     let result = |(&threads, turns): (&usize, &Vec<(f64, f64)>)| {
-        let speedups: Vec<_> =
-            rounds[0].iter().zip(turns).map(|(one, these)| one.0 / these.0).collect();
+        // Each turn beside that of one thread in the same round.
+        let beside = |ratio: fn(&(f64, f64), &(f64, f64)) -> f64| {
+            let ratios = rounds[0].iter().zip(turns).map(|(one, these)| ratio(one, these));
+            Spread::of(&ratios.collect::<Vec<_>>())
+        };
         Threads {
             threads,
             wall: of(turns, |turn| turn.0),
             processor: of(turns, |turn| turn.1),
-            speedup: Spread::of(&speedups),
+            speedup: beside(|one, these| one.0 / these.0),
+            overhead: beside(|one, these| these.1 / one.1),
         }
     };
     Ok(MANY.iter().zip(&rounds).map(result).collect())
