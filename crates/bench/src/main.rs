@@ -12,6 +12,7 @@ mod measure;
 mod place;
 mod plot;
 mod random;
+mod report;
 mod scaling;
 mod slope;
 mod svg;
@@ -43,6 +44,8 @@ enum What {
     Check(check::Args),
     /// Instructions of fixed work, counted and held against the baseline
     Instructions(instructions::Args),
+    /// Write docs/performance.md from the JSON files of the others
+    Report(report::Args),
     /// Do one of the fixed pieces of work
     #[command(hide = true)]
     Work(instructions::WorkArgs),
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         What::Scaling(args) => scaling::run(&args),
         What::Check(args) => check::run(&args),
         What::Instructions(args) => instructions::run(&args),
+        What::Report(args) => report::run(&args),
         What::Work(args) => instructions::run_work(&args),
     };
     done.unwrap_or_else(|why| {

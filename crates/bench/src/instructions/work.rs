@@ -177,7 +177,9 @@ fn encode_picture() -> Result<Ready, String> {
     let linear = inputs::linear_picture(SIDE, SIDE);
     Ok(Box::new(move || {
         let encoded = encode(&linear, Transfer::Gamma22);
-        encoded.map_or(0.0, |picture| f64::from(picture.bytes()[0]))
+        encoded.map_or(0.0, |picture| {
+            picture.bytes().iter().next_back().map_or(0.0, |&b| f64::from(b))
+        })
     }))
 }
 
