@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(verdicts, [Verdict::Gone, Verdict::Same, Verdict::Unknown]);
         assert_eq!(rows.iter().filter(|row| row.verdict.is_bad()).count(), 2);
         let text = table(&rows, TOLERANCE);
-        assert!(text.contains("c") && text.contains("NOT IN THE BASELINE"), "{text}");
+        assert!(text.contains("c  ") && text.contains("NOT IN THE BASELINE"), "{text}");
         assert!(text.contains("each may grow by 3 %"), "{text}");
     }
 

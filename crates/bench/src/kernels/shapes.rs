@@ -52,6 +52,9 @@ pub(super) fn all() -> Result<Vec<Kernel>, String> {
 /// One shape of its kind, and a ray.
 type Case<G> = (G, Ray);
 
+/// Those that hit and those that miss.
+type Sorted<G> = (Vec<Case<G>>, Vec<Case<G>>);
+
 /// A ray that leaves the shape, and from where on it.
 type Leaving<G> = (G, Ray, Departure);
 
@@ -95,7 +98,7 @@ fn closest<G: Geometry + 'static>(
 fn cases<G: Geometry + Clone>(
     group: &str,
     make: impl Fn(&mut Random) -> Result<G, Refused>,
-) -> Result<(Vec<Case<G>>, Vec<Case<G>>), String> {
+) -> Result<Sorted<G>, String> {
     /// A plane is missed by few of the rays that start away from it.
     const ATTEMPTS: usize = 400 * CASES;
     let mut random = Random::new(4);

@@ -79,7 +79,7 @@ pub(super) fn scaling(file: &Value) -> Section {
     let mut text = table(&["over", "slope", "first", "last"], &lines);
     let of = |threads: &scaling::Threads| {
         vec![
-            threads.threads.to_string(),
+            threads.count.to_string(),
             spread(threads.wall),
             spread(threads.processor),
             spread(threads.speedup),

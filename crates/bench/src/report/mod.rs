@@ -152,20 +152,20 @@ fn document(
     );
     let mut plots = Vec::new();
     for (part, file) in PARTS.iter().zip(files) {
-        text.push_str(&format!("\n## {}\n\n", part.heading));
+        text.extend(["\n## ", part.heading, "\n\n"]);
         let Some(file) = file else {
-            text.push_str(&format!("Not measured here: `{}`.\n", part.command));
+            text.extend(["Not measured here: `", part.command, "`.\n"]);
             continue;
         };
-        text.push_str(&format!("`{}`", part.command));
+        text.extend(["`", part.command, "`"]);
         match table::machine(file) {
-            Some(machine) => text.push_str(&format!(" on {machine}.\n")),
+            Some(machine) => text.extend([" on ", &machine, ".\n"]),
             None => text.push_str(".\n"),
         }
         let section = (part.section)(file);
         for (name, _) in &section.plots {
             let what = name.trim_end_matches(".svg").replace('-', " ");
-            text.push_str(&format!("\n![{what}]({stem}/{name})\n"));
+            text.extend(["\n![", &what, "](", stem, "/", name, ")\n"]);
         }
         text.push_str(&section.text);
         plots.extend(section.plots);

@@ -34,7 +34,7 @@ pub(super) fn trace(file: &Value) -> Section {
         let heads: Vec<_> =
             std::iter::once("Mrays/s").chain(kinds.iter().map(String::as_str)).collect();
         let lines: Vec<Vec<String>> = distinct(&here, "engine").iter().map(line).collect();
-        section.push_str(&format!("\n### {scene}\n{}", table(&heads, &lines)));
+        section.extend(["\n### ", &scene, "\n", &table(&heads, &lines)]);
     }
     let builds = rows(file, "builds").iter().map(|row| {
         let ms = format!("{}{}", shown(number(row, "ms")), spread(&row["spread"]));
@@ -117,9 +117,10 @@ pub(super) fn image(file: &Value) -> Section {
     let note = "lower left is better; the truth of each scene is its own engine's or a formula";
     let title = "whole pictures: seconds against error".to_owned();
     let plot = Plot { title, note: note.to_owned(), panels };
-    let plots = match scenes.is_empty() {
-        true => Vec::new(),
-        false => vec![("time-against-error-of-pictures.svg".to_owned(), plot::svg(&plot))],
+    let plots = if scenes.is_empty() {
+        Vec::new()
+    } else {
+        vec![("time-against-error-of-pictures.svg".to_owned(), plot::svg(&plot))]
     };
     Section { text: text_of_all, plots }
 }

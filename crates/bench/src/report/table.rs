@@ -17,7 +17,7 @@ pub(super) fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
     text.push_str("|\n");
     for row in rows {
         let cells: Vec<_> = row.iter().map(|cell| cell.replace('|', "\\|")).collect();
-        text.push_str(&format!("| {} |\n", cells.join(" | ")));
+        text.extend(["| ", &cells.join(" | "), " |\n"]);
     }
     text
 }

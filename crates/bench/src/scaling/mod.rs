@@ -56,7 +56,7 @@ pub(crate) struct Point {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Threads {
     /// How many there are.
-    pub(crate) threads: usize,
+    pub(crate) count: usize,
     /// Seconds of the wall's clock of one picture.
     pub(crate) wall: Spread,
     /// Seconds of the processor's, of all threads together.
@@ -124,10 +124,10 @@ fn text(report: &Report) -> String {
         }
     }
     let _ = writeln!(text, "\nthreads: one picture, seconds");
-    for Threads { threads, wall, processor, speedup, overhead } in &report.threads {
+    for Threads { count, wall, processor, speedup, overhead } in &report.threads {
         let _ = writeln!(
             text,
-            "{threads:>12} wall {:.4} [{:.4}-{:.4}], processor {:.4}, {:.2} [{:.2}-{:.2}] times \
+            "{count:>12} wall {:.4} [{:.4}-{:.4}], processor {:.4}, {:.2} [{:.2}-{:.2}] times \
              as fast as one for {:.3} times the work",
             wall.median,
             wall.low,
@@ -185,7 +185,7 @@ mod tests {
         assert_eq!(found, ["1.00", "1.00", "-"]);
         let ratio = time(1.0);
         let one =
-            Threads { threads: 1, wall: ratio, processor: ratio, speedup: ratio, overhead: ratio };
+            Threads { count: 1, wall: ratio, processor: ratio, speedup: ratio, overhead: ratio };
         let report = Report { schema: 1, machine: Machine::here(), sweeps, threads: vec![one] };
         let svg = svg(&report);
         assert_eq!(svg.matches("<g ").count(), 2, "a panel for each thing that grows");

@@ -192,14 +192,14 @@ pub(super) fn threads() -> Result<Vec<Threads>, String> {
     let of = |turns: &[(f64, f64)], value: fn(&(f64, f64)) -> f64| {
         Spread::of(&turns.iter().map(value).collect::<Vec<_>>())
     };
-    let result = |(&threads, turns): (&usize, &Vec<(f64, f64)>)| {
+    let result = |(&count, turns): (&usize, &Vec<(f64, f64)>)| {
         // Each turn beside that of one thread in the same round.
         let beside = |ratio: fn(&(f64, f64), &(f64, f64)) -> f64| {
             let ratios = rounds[0].iter().zip(turns).map(|(one, these)| ratio(one, these));
             Spread::of(&ratios.collect::<Vec<_>>())
         };
         Threads {
-            threads,
+            count,
             wall: of(turns, |turn| turn.0),
             processor: of(turns, |turn| turn.1),
             speedup: beside(|one, these| one.0 / these.0),
