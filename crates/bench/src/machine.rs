@@ -134,6 +134,8 @@ mod tests {
         let date = |days: u64| date(UNIX_EPOCH + Duration::from_secs(days * 86_400 + 3));
         assert_eq!(date(0), "1970-01-01");
         assert_eq!(date(59), "1970-03-01");
+        assert_eq!(date(89), "1970-03-31");
+        assert_eq!(date(364), "1970-12-31");
         assert_eq!(date(11_016), "2000-02-29");
         assert_eq!(date(11_017), "2000-03-01");
         assert_eq!(date(20_782), "2026-11-25");

@@ -30,8 +30,9 @@ pub(super) fn kernels(file: &Value) -> Section {
     let Some(report) = known::<kernels::Report>(file) else { return of_another_version() };
     let line = |row: &kernels::Row| vec![format!("{} {}", row.group, row.name), spread(row.ns)];
     let lines: Vec<_> = report.rows.iter().map(line).collect();
+    let text = "\nWhat leaves a flat shape cannot meet it again, so there is nothing to compute.\n";
     Section {
-        text: table(&["test", "ns"], &lines),
+        text: format!("{text}{}", table(&["test", "ns"], &lines)),
         plots: vec![("kernels.svg".to_owned(), kernels::svg(&report))],
     }
 }

@@ -4,15 +4,14 @@ use serde_json::Value;
 
 use crate::bars::short;
 
-/// A table with its columns lined up; the first is of words, all others are of
-/// numbers. Without rows there is none.
+/// A table; columns whose first cell begins as a number does are set to the
+/// right. Without rows there is none.
 pub(super) fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
-    if rows.is_empty() {
-        return String::new();
-    }
-    let mut text = format!("\n| {} |\n|---", heads.join(" | "));
-    for _ in 1..heads.len() {
-        text.push_str("|--:");
+    let Some(first) = rows.first() else { return String::new() };
+    let mut text = format!("\n| {} |\n", heads.join(" | "));
+    for cell in first {
+        let is_number = cell == "-" || cell.starts_with(|c: char| c.is_ascii_digit());
+        text.push_str(if is_number { "|--:" } else { "|---" });
     }
     text.push_str("|\n");
     for row in rows {
@@ -159,8 +158,8 @@ mod tests {
 
     #[test]
     fn a_table_keeps_its_columns() {
-        let text = table(&["a", "b"], &[vec!["x|y".into(), "1".into()]]);
-        assert_eq!(text, "\n| a | b |\n|---|--:|\n| x\\|y | 1 |\n");
+        let text = table(&["a", "b", "c"], &[vec!["x|y".into(), "1 [0-2]".into(), "z".into()]]);
+        assert_eq!(text, "\n| a | b | c |\n|---|--:|---|\n| x\\|y | 1 [0-2] | z |\n");
         assert_eq!(table(&["a"], &[]), "");
     }
 }

@@ -153,7 +153,7 @@ pub(crate) fn svg(report: &Report) -> String {
         match panels.iter_mut().find(same) {
             Some(panel) => panel.lines.push(line),
             None => panels.push(Panel {
-                title: format!("time over {}", sweep.over),
+                title: format!("{}: {}", sweep.over, sweep.unit),
                 x: sweep.over.clone(),
                 y: sweep.unit.clone(),
                 lines: vec![line],
