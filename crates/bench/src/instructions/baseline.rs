@@ -9,10 +9,11 @@ use serde::{Deserialize, Serialize};
 /// Counts by the name of the work.
 pub(crate) type Counts = BTreeMap<String, u64>;
 
-/// By what share a count may grow. Runs of one build give the same count to the
-/// instruction; the room is for another version of the C library, whose memory
-/// and string functions are counted with the rest, and for changes that are too
-/// small to be worth a search.
+/// By what share a count may grow. Runs of one build differ by less than 0.1 %,
+/// where a hash table's seed or the allocator has a say, and most not at all;
+/// the room is for another version of the C library, whose memory and string
+/// functions are counted with the rest, and for changes that are too small to
+/// be worth a search.
 pub(super) const TOLERANCE: f64 = 0.03;
 
 /// What is committed.
