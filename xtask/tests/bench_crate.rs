@@ -52,8 +52,7 @@ fn flags_go_in_and_the_exit_code_comes_out() {
 #[test]
 fn outside_of_the_repository_it_says_so() {
     let folder = tempfile::tempdir().unwrap();
-    for name in
-        ["trace", "image", "kernels", "check", "scaling", "instructions", "report", "peers"]
+    for name in ["trace", "image", "kernels", "check", "scaling", "instructions", "report", "peers"]
     {
         let output = bench(folder.path(), &[name]);
         let said = String::from_utf8_lossy(&output.stderr);
