@@ -2,6 +2,7 @@
 //! they have them.
 
 mod blocks;
+mod packet;
 mod precision;
 mod sight;
 mod trace;

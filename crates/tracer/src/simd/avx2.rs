@@ -9,8 +9,9 @@ use std::arch::x86_64::{
     _mm256_andnot_pd, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_cvtpd_ps, _mm256_cvtps_pd,
     _mm256_div_pd, _mm256_fmadd_pd, _mm256_fmsub_ps, _mm256_fnmadd_pd, _mm256_loadu_pd,
     _mm256_loadu_ps, _mm256_max_pd, _mm256_max_ps, _mm256_min_pd, _mm256_min_ps,
-    _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_set1_pd, _mm256_set1_ps,
-    _mm256_setzero_pd, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_xor_pd,
+    _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_mul_ps, _mm256_set1_pd,
+    _mm256_set1_ps, _mm256_setzero_pd, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd,
+    _mm256_sub_ps, _mm256_xor_pd,
 };
 
 use super::{Eight, Four, Real, Simd, Work};
@@ -114,6 +115,16 @@ impl Simd for Avx2 {
 }
 
 impl Eight for Singles8 {
+    #[inline(always)]
+    fn less(self, other: Self) -> Self {
+        // SAFETY: the type.
+        Self(unsafe { _mm256_sub_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn times(self, times: Self) -> Self {
+        // SAFETY: the type.
+        Self(unsafe { _mm256_mul_ps(self.0, times.0) })
+    }
     #[inline(always)]
     fn times_minus(self, times: Self, minus: Self) -> Self {
         // SAFETY: the type.

@@ -79,6 +79,10 @@ pub(crate) trait Simd: Copy {
 
 /// Eight numbers of `f32`.
 pub(crate) trait Eight: Copy {
+    /// `self - other`.
+    fn less(self, other: Self) -> Self;
+    /// `self times`.
+    fn times(self, times: Self) -> Self;
     /// `self times - minus`, rounded once or twice.
     fn times_minus(self, times: Self, minus: Self) -> Self;
     /// The lower of each; `other`'s where one is a NaN.

@@ -80,6 +80,14 @@ lanes!(zip4_long, at_most4_long, f64, 4);
 
 impl Eight for Singles<8> {
     #[inline(always)]
+    fn less(self, other: Self) -> Self {
+        Self(zip8(self.0, other.0, |a, b| a - b))
+    }
+    #[inline(always)]
+    fn times(self, times: Self) -> Self {
+        Self(zip8(self.0, times.0, |a, b| a * b))
+    }
+    #[inline(always)]
     fn times_minus(self, times: Self, minus: Self) -> Self {
         Self(zip8(zip8(self.0, times.0, |a, b| a * b), minus.0, |a, b| a - b))
     }

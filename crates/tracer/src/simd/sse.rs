@@ -101,6 +101,16 @@ fn narrowed(Doubles4([low, high]): Doubles4) -> Singles4 {
 
 impl Eight for Singles8 {
     #[inline(always)]
+    fn less(self, other: Self) -> Self {
+        // SAFETY: SSE2.
+        Self([0, 1].map(|k| unsafe { _mm_sub_ps(self.0[k], other.0[k]) }))
+    }
+    #[inline(always)]
+    fn times(self, times: Self) -> Self {
+        // SAFETY: SSE2.
+        Self([0, 1].map(|k| unsafe { _mm_mul_ps(self.0[k], times.0[k]) }))
+    }
+    #[inline(always)]
     fn times_minus(self, times: Self, minus: Self) -> Self {
         // SAFETY: SSE2.
         Self([0, 1].map(|k| unsafe { _mm_sub_ps(_mm_mul_ps(self.0[k], times.0[k]), minus.0[k]) }))

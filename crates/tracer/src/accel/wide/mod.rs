@@ -6,11 +6,13 @@
 
 mod build;
 mod node;
+mod packet;
 mod slabs;
 mod walk;
 
 pub(crate) use build::{Candidates, Options};
 pub(crate) use node::{Leaf, MOST_PLACES};
+pub(crate) use packet::{Packet, RAYS, Visitors};
 pub(crate) use slabs::TimeScale;
 pub(crate) use walk::Visitor;
 

@@ -32,7 +32,7 @@ pub(super) fn thickness(rounding: f64) -> f64 {
 
 /// The largest reciprocal of a direction's component: a smaller component is
 /// taken for one of this size.
-const LARGEST: f64 = (1_u64 << 60) as f64;
+pub(super) const LARGEST: f64 = (1_u64 << 60) as f64;
 /// The longest component of a direction is between this and its reciprocal,
 /// or brought there by a power of two.
 const LONGEST: f64 = (1_u64 << 20) as f64;
@@ -63,10 +63,16 @@ impl TimeScale {
     /// For those who do not walk.
     pub(crate) const ANY: Self = Self([1.0; 2]);
 
+    /// Of rays that are computed with as they are.
+    #[inline(always)]
+    pub(super) fn of(wide: &Wide) -> Self {
+        Self([1.0, wide.scale])
+    }
+
     /// At most the slabs' parameter at the ray's `t`; a NaN, which bounds nothing,
     /// for a `t` of infinity.
     #[inline(always)]
-    fn down(self, t: f64) -> f32 {
+    pub(super) fn down(self, t: f64) -> f32 {
         let t = t * self.0[0] * self.0[1];
         (t - rounding_f32(t)) as f32
     }
@@ -88,18 +94,29 @@ fn rounding_f32(x: f64) -> f64 {
     x.abs() * (2.0 * UNIT_ROUNDOFF_F32)
 }
 
+/// The largest coordinate of the ray's origin plus the boxes', scaled.
+#[inline(always)]
+pub(super) fn reach(wide: &Wide, ray: &Ray) -> f64 {
+    max_abs(ray.origin) * wide.scale + wide.largest
+}
+
+/// Whether the ray can be computed with as it is: not so for a NaN or an infinity
+/// anywhere.
+#[inline(always)]
+pub(super) fn is_usual(wide: &Wide, ray: &Ray, reach: f64) -> bool {
+    let longest = max_abs(ray.direction);
+    1.0 / LONGEST < longest && longest < LONGEST && reach < wide.farthest
+}
+
 impl<S: Simd> Slabs<S> {
     /// The ray, with its range, for the boxes of this hierarchy.
     #[inline(always)]
     pub(super) fn new(simd: S, wide: &Wide, ray: &Ray, range: Interval) -> (Self, TimeScale) {
-        let longest = max_abs(ray.direction);
-        let reach = max_abs(ray.origin) * wide.scale + wide.largest;
-        // Not so for a NaN or an infinity anywhere.
-        let is_usual = 1.0 / LONGEST < longest && longest < LONGEST && reach < wide.farthest;
-        if !is_usual {
+        let reach = reach(wide, ray);
+        if !is_usual(wide, ray, reach) {
             return Self::unusual(simd, wide, ray, range);
         }
-        let time = TimeScale([1.0, wide.scale]);
+        let time = TimeScale::of(wide);
         (Self::usual(simd, wide, ray, reach, time.down(range.lo)), time)
     }
 
@@ -108,7 +125,7 @@ impl<S: Simd> Slabs<S> {
     #[cold]
     fn unusual(simd: S, wide: &Wide, ray: &Ray, range: Interval) -> (Self, TimeScale) {
         let longest = max_abs(ray.direction);
-        let reach = max_abs(ray.origin) * wide.scale + wide.largest;
+        let reach = reach(wide, ray);
         let unit = power_of_two_below(longest).filter(|_| reach < wide.farthest);
         let time = TimeScale([unit.unwrap_or(1.0), wide.scale]);
         let t_min = time.down(range.lo);
@@ -136,19 +153,56 @@ impl<S: Simd> Slabs<S> {
         // That of a component taken for 0 is infinite, or too large.
         let recip = simd.four_long(1.0) / direction;
         let recip = recip.min(simd.four_long(LARGEST)).max(simd.four_long(-LARGEST));
-        let sizes = origin.magnitude() + simd.load_four_long(&wide.extent);
-        let roundings = simd.four_long(ROUNDINGS * UNIT_ROUNDOFF_F32);
-        let thickness = simd.four_long(wide.thickness * reach);
-        let apart = thickness.plus_product(sizes, roundings) * recip.magnitude();
+        let extent = simd.load_four_long(&wide.extent);
+        let apart = Self::apart(simd, wide, origin, extent, reach) * recip.magnitude();
         let at = origin * recip;
         let (near, far) = ((at + apart).to_singles(), (at - apart).to_singles());
-        let recip = recip.to_singles();
+        let [x, y, z, _] = recip.to_singles();
+        let three = |[x, y, z, _]: [f32; 4]| [x, y, z];
+        // Of a -0 too.
+        let down = [x < 0.0, y < 0.0, z < 0.0];
+        Self::of(simd, [x, y, z], three(near), three(far), down, t_min)
+    }
+
+    /// How far the sides of boxes are moved apart, as lengths.
+    #[inline(always)]
+    fn apart(simd: S, wide: &Wide, origin: S::D4, extent: S::D4, reach: f64) -> S::D4 {
+        let sizes = origin.magnitude() + extent;
+        let roundings = simd.four_long(ROUNDINGS * UNIT_ROUNDOFF_F32);
+        simd.four_long(wide.thickness * reach).plus_product(sizes, roundings)
+    }
+
+    /// What is taken from near sides and from far sides of one axis for four rays
+    /// of these origins and reciprocals; and how far they are moved apart, as
+    /// lengths.
+    #[inline(always)]
+    pub(super) fn sides(
+        simd: S,
+        wide: &Wide,
+        (origin, recip): (S::D4, S::D4),
+        extent: f64,
+        reach: f64,
+    ) -> ([f32; 4], [f32; 4], S::D4) {
+        let apart = Self::apart(simd, wide, origin, simd.four_long(extent), reach);
+        let (at, by) = (origin * recip, apart * recip.magnitude());
+        ((at + by).to_singles(), (at - by).to_singles(), apart)
+    }
+
+    /// The slabs of these numbers.
+    #[inline(always)]
+    pub(super) fn of(
+        simd: S,
+        recip: [f32; 3],
+        near: [f32; 3],
+        far: [f32; 3],
+        down: [bool; 3],
+        t_min: f32,
+    ) -> Self {
         Self {
             recip: eights(simd, recip),
             near: eights(simd, near),
             far: eights(simd, far),
-            // Of a -0 too.
-            down: [recip[0] < 0.0, recip[1] < 0.0, recip[2] < 0.0],
+            down,
             t_min: simd.eight(t_min),
         }
     }
@@ -190,6 +244,6 @@ impl<S: Simd> Slabs<S> {
 }
 
 #[inline(always)]
-fn eights<S: Simd>(simd: S, [x, y, z, _]: [f32; 4]) -> [S::F8; 3] {
+fn eights<S: Simd>(simd: S, [x, y, z]: [f32; 3]) -> [S::F8; 3] {
     [simd.eight(x), simd.eight(y), simd.eight(z)]
 }

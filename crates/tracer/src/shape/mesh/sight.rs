@@ -55,31 +55,50 @@ pub(super) struct Meetings {
     pub(super) hi: [f64; 4],
 }
 
-impl<S: Simd, P: Precision> Sight<S, P> {
+/// What a [`Sight`] is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Sighted {
+    axes: [Axis; 3],
+    origin: [f64; 3],
+    slopes: [f64; 2],
+    doubt: f64,
+    time: f64,
+    wrong: f64,
+}
+
+impl Sighted {
     /// The ray, for blocks whose triangles are within `half` of `middle` along
     /// each axis.
     #[inline(always)]
-    pub(super) fn new(simd: S, ray: &Ray, middle: DVec3, half: f64) -> Self {
+    pub(super) fn new<P: Precision>(ray: &Ray, middle: DVec3, half: f64) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let axes @ [kx, ky, kz] = Axis::from_longest(&direction);
         let farthest = max_abs(ray.origin - middle) + half;
-        let doubt = P::DOUBT * farthest * farthest;
         let time = 1.0 / *kz.of(&direction);
         Self {
             axes,
-            origin: [
-                P::splat(simd, *kx.of(&origin)),
-                P::splat(simd, *ky.of(&origin)),
-                P::splat(simd, *kz.of(&origin)),
-            ],
-            slopes: [
-                P::splat(simd, *kx.of(&direction) * time),
-                P::splat(simd, *ky.of(&direction) * time),
-            ],
+            origin: [*kx.of(&origin), *ky.of(&origin), *kz.of(&origin)],
+            slopes: [*kx.of(&direction) * time, *ky.of(&direction) * time],
+            doubt: P::DOUBT * farthest * farthest,
+            time,
+            wrong: DRAWN * farthest * time.abs(),
+        }
+    }
+}
+
+impl<S: Simd, P: Precision> Sight<S, P> {
+    /// The ray, ready for blocks.
+    #[inline(always)]
+    pub(super) fn new(simd: S, ray: Sighted) -> Self {
+        let Sighted { axes, origin: [x, y, z], slopes: [sx, sy], doubt, time, wrong } = ray;
+        Self {
+            axes,
+            origin: [P::splat(simd, x), P::splat(simd, y), P::splat(simd, z)],
+            slopes: [P::splat(simd, sx), P::splat(simd, sy)],
             doubt: P::splat(simd, doubt),
             minus_doubt: P::splat(simd, -doubt),
             time: P::splat(simd, time),
-            wrong: P::splat(simd, DRAWN * farthest * time.abs()),
+            wrong: P::splat(simd, wrong),
         }
     }
 

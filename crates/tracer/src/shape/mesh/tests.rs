@@ -161,6 +161,46 @@ fn a_triangle_without_an_area_is_kept_and_never_hit() {
     assert_eq!(hit.part, 1);
 }
 
+#[test]
+fn packets_give_the_answers_of_the_list() {
+    let mut any = fastrand::Rng::with_seed(9);
+    let mut hits = 0;
+    for round in 0..12 {
+        let (vertices, faces) = bumpy(&mut any, round % 2 == 0);
+        let mesh = |build| Mesh::new(vertices.clone(), faces.clone(), None, build).unwrap();
+        let list = mesh(Build::List);
+        // Beside each other from one eye, from a small patch, at the seams, and
+        // along an axis; with some left over behind the last whole packet.
+        let eye = dvec3(3.0, 2.0, 1.0) * (any.f64() - 0.5);
+        let rays: Vec<_> = (0..16 * 12 + 5)
+            .map(|k| {
+                let patch = dvec3(any.f64(), any.f64(), any.f64()) * [0.0, 0.1][round / 2 % 2];
+                let face = faces[(k / 3) % faces.len()].map(|i| vertices[i as usize]);
+                let target = [face[0], 0.5 * (face[0] + face[1]), face[0] + 0.01 * any.f64()];
+                let mut direction = target[k % 3] - eye - patch;
+                if round == 5 {
+                    direction.y = 0.0;
+                }
+                Ray::new(eye + patch, direction)
+            })
+            .collect();
+        let range = Interval::new(0.0, [f64::INFINITY, 1.0][round % 3 / 2]);
+        let expected: Vec<_> = rays.iter().map(|ray| list.intersect(ray, range)).collect();
+        hits += expected.iter().flatten().count();
+        for level in crate::simd::Level::all() {
+            let mesh = mesh(Build::Bvh).at(level);
+            let mut contacts = vec![None; rays.len()];
+            mesh.intersect_batch(&rays, range, Coherence::Coherent, &mut contacts);
+            assert_eq!(contacts, expected, "{level:?}");
+            let mut occluded = vec![false; rays.len()];
+            mesh.occludes_batch(&rays, range, Coherence::Coherent, &mut occluded);
+            let expected: Vec<_> = expected.iter().map(Option::is_some).collect();
+            assert_eq!(occluded, expected, "{level:?}");
+        }
+    }
+    assert!(hits > 800, "{hits} hits are too few to say anything");
+}
+
 /// A ball of random bumps, of `f32` corners or not, with a ray at its corners and
 /// edges and some that are no one's.
 fn bumpy(any: &mut fastrand::Rng, is_single: bool) -> (Vec<DVec3>, Vec<[u32; 3]>) {
@@ -220,9 +260,11 @@ fn every_level_batch_and_single_ray_gives_the_answers_of_the_list() {
         let expected: Vec<_> = rays.iter().map(|ray| list.intersect(ray, range)).collect();
         for level in crate::simd::Level::all() {
             let mesh = mesh(Build::Bvh).at(level);
-            let mut contacts = vec![None; rays.len()];
-            mesh.intersect_batch(&rays, range, Coherence::Incoherent, &mut contacts);
-            assert_eq!(contacts, expected, "{level:?}");
+            for coherence in [Coherence::Incoherent, Coherence::Coherent] {
+                let mut contacts = vec![None; rays.len()];
+                mesh.intersect_batch(&rays, range, coherence, &mut contacts);
+                assert_eq!(contacts, expected, "{level:?}");
+            }
             let mut occluded = vec![false; rays.len()];
             mesh.occludes_batch(&rays, range, Coherence::Coherent, &mut occluded);
             for ((ray, expected), occluded) in rays.iter().zip(&expected).zip(occluded) {

@@ -2,13 +2,14 @@
 //! hierarchy.
 
 use super::blocks::{Block, Blocks, Number};
+use super::packet;
 use super::precision::{Accurate, Fast, Precision};
-use super::sight::Sight;
+use super::sight::{Sight, Sighted};
 use super::visit::{All, Any, Best, Closest, Known, Question};
 use super::winners::Winners;
 use super::{Contact, Departure, Event, Interval, Mesh, Meter, Order, Ray, Shear, Unmetered};
 use crate::accel::Coherence;
-use crate::accel::wide::{Leaf, TimeScale, Visitor};
+use crate::accel::wide::{Leaf, RAYS, TimeScale, Visitor};
 use crate::simd::{Simd, Work};
 
 impl Mesh {
@@ -38,10 +39,10 @@ impl Mesh {
         &self,
         rays: &[Ray],
         range: Interval,
-        _: Coherence,
+        coherence: Coherence,
         contacts: &mut [Option<Contact>],
     ) {
-        self.level.run(ClosestOfEach { mesh: self, rays, range, contacts });
+        self.level.run(ClosestOfEach { mesh: self, rays, range, coherence, contacts });
     }
 
     /// What [`Geometry::occludes`](super::Geometry::occludes) says of each of
@@ -50,10 +51,10 @@ impl Mesh {
         &self,
         rays: &[Ray],
         range: Interval,
-        _: Coherence,
+        coherence: Coherence,
         occluded: &mut [bool],
     ) {
-        self.level.run(AnyOfEach { mesh: self, rays, range, occluded });
+        self.level.run(AnyOfEach { mesh: self, rays, range, coherence, occluded });
     }
 
     /// The first contact of a ray, which may leave one of the triangles.
@@ -162,16 +163,17 @@ fn closest<S: Simd, P: Precision, T: Number, M: Meter>(
     question: &Question<'_, M>,
     blocks: &[Block<T>],
 ) -> Known {
+    let mut best = Best::nothing(question.range);
     let mut visitor = Closest {
         simd,
         question,
         sight: question.sight::<S, P>(simd),
         blocks,
         time: TimeScale::ANY,
-        best: Best::nothing(question.range),
+        best: &mut best,
     };
     show(simd, question, &mut visitor);
-    visitor.best.known
+    best.known
 }
 
 #[inline(always)]
@@ -189,11 +191,22 @@ fn closest_of_each<S: Simd, P: Precision, T: Number>(
     batch: ClosestOfEach<'_>,
     blocks: &[Block<T>],
 ) {
-    let ClosestOfEach { mesh, rays, range, contacts } = batch;
+    let ClosestOfEach { mesh, rays, range, coherence, contacts } = batch;
     let mut winners = Winners::new(simd, range, rays, contacts);
-    for (i, ray) in rays.iter().enumerate() {
-        let question = mesh.question(ray, range, None, &Unmetered);
-        winners.add(i, closest::<S, P, T, _>(simd, &question, blocks), blocks);
+    for (k, some) in rays.chunks(RAYS).enumerate() {
+        let first = k * RAYS;
+        if let (Order::Wide(wide), Coherence::Coherent) = (&mesh.order, coherence)
+            && let Some(known) = packet::closest::<S, P, T>(simd, (mesh, wide), some, range, blocks)
+        {
+            for (i, known) in known.into_iter().enumerate().take(some.len()) {
+                winners.add(first + i, known, blocks);
+            }
+            continue;
+        }
+        for (i, ray) in some.iter().enumerate() {
+            let question = mesh.question(ray, range, None, &Unmetered);
+            winners.add(first + i, closest::<S, P, T, _>(simd, &question, blocks), blocks);
+        }
     }
     winners.finish();
 }
@@ -204,10 +217,17 @@ fn any_of_each<S: Simd, P: Precision, T: Number>(
     batch: AnyOfEach<'_>,
     blocks: &[Block<T>],
 ) {
-    let AnyOfEach { mesh, rays, range, occluded } = batch;
-    for (ray, occluded) in rays.iter().zip(occluded) {
-        let question = mesh.question(ray, range, None, &Unmetered);
-        *occluded = any::<S, P, T, _>(simd, &question, blocks).is_some();
+    let AnyOfEach { mesh, rays, range, coherence, occluded } = batch;
+    for (some, occluded) in rays.chunks(RAYS).zip(occluded.chunks_mut(RAYS)) {
+        if let (Order::Wide(wide), Coherence::Coherent) = (&mesh.order, coherence)
+            && packet::any::<S, P, T>(simd, (mesh, wide), some, range, blocks, occluded)
+        {
+            continue;
+        }
+        for (ray, occluded) in some.iter().zip(occluded) {
+            let question = mesh.question(ray, range, None, &Unmetered);
+            *occluded = any::<S, P, T, _>(simd, &question, blocks).is_some();
+        }
     }
 }
 
@@ -218,9 +238,9 @@ fn any<S: Simd, P: Precision, T: Number, M: Meter>(
     blocks: &[Block<T>],
 ) -> Option<u32> {
     let sight = question.sight::<S, P>(simd);
-    let mut visitor = Any { simd, question, sight, blocks, found: None };
-    show(simd, question, &mut visitor);
-    visitor.found
+    let mut found = None;
+    show(simd, question, &mut Any { simd, question, sight, blocks, found: &mut found });
+    found
 }
 
 #[inline(always)]
@@ -238,7 +258,7 @@ fn crossed<S: Simd, P: Precision, T: Number, M: Meter>(
 impl<M: Meter> Question<'_, M> {
     #[inline(always)]
     fn sight<S: Simd, P: Precision>(&self, simd: S) -> Sight<S, P> {
-        Sight::new(simd, self.ray, self.mesh.middle, self.mesh.half)
+        Sight::new(simd, Sighted::new::<P>(self.ray, self.mesh.middle, self.mesh.half))
     }
 }
 
@@ -276,6 +296,7 @@ struct ClosestOfEach<'a> {
     mesh: &'a Mesh,
     rays: &'a [Ray],
     range: Interval,
+    coherence: Coherence,
     contacts: &'a mut [Option<Contact>],
 }
 
@@ -283,15 +304,14 @@ impl Work for ClosestOfEach<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
-        let Self { mesh, rays, range, contacts } = self;
+        let mesh = self.mesh;
         if matches!(mesh.order, Order::List(_)) {
-            for (ray, contact) in rays.iter().zip(contacts) {
-                *contact = mesh.closest(ray, range, None, &Unmetered);
+            for (ray, contact) in self.rays.iter().zip(self.contacts) {
+                *contact = mesh.closest(ray, self.range, None, &Unmetered);
             }
             return;
         }
-        let batch = Self { mesh, rays, range, contacts };
-        by_storage!(mesh, closest_of_each(simd, batch));
+        by_storage!(mesh, closest_of_each(simd, self));
     }
 }
 
@@ -299,6 +319,7 @@ struct AnyOfEach<'a> {
     mesh: &'a Mesh,
     rays: &'a [Ray],
     range: Interval,
+    coherence: Coherence,
     occluded: &'a mut [bool],
 }
 
@@ -306,14 +327,13 @@ impl Work for AnyOfEach<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
-        let Self { mesh, rays, range, occluded } = self;
+        let mesh = self.mesh;
         if matches!(mesh.order, Order::List(_)) {
-            for (ray, occluded) in rays.iter().zip(occluded) {
-                *occluded = mesh.occluder(ray, range, None, None, &Unmetered).is_some();
+            for (ray, occluded) in self.rays.iter().zip(self.occluded) {
+                *occluded = mesh.occluder(ray, self.range, None, None, &Unmetered).is_some();
             }
             return;
         }
-        let batch = Self { mesh, rays, range, occluded };
-        by_storage!(mesh, any_of_each(simd, batch));
+        by_storage!(mesh, any_of_each(simd, self));
     }
 }

@@ -17,6 +17,7 @@ use crate::simd::Simd;
 use crate::{Interval, Ray};
 
 /// A ray and what it asks of a mesh.
+#[derive(Clone, Copy)]
 pub(super) struct Question<'a, M> {
     pub(super) mesh: &'a Mesh,
     pub(super) ray: &'a Ray,
@@ -56,10 +57,11 @@ pub(super) struct Closest<'a, S: Simd, P: Precision, T, M> {
     pub(super) sight: Sight<S, P>,
     pub(super) blocks: &'a [Block<T>],
     pub(super) time: TimeScale,
-    pub(super) best: Best,
+    pub(super) best: &'a mut Best,
 }
 
 /// The best hit so far.
+#[derive(Clone, Copy)]
 pub(super) struct Best {
     /// Its `t` is between these; at first, where the range ends.
     lo: f64,
@@ -116,7 +118,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Closest<'_, S, P, T, M> {
         let order = |contact: &Contact| (contact.t, contact.part);
         let wins = best.is_none_or(|best| order(&contact) < order(&best));
         if let Some(best) = if wins { Some(contact) } else { best } {
-            self.best = Best { lo: best.t, hi: best.t, known: Known::Contact(best) };
+            *self.best = Best { lo: best.t, hi: best.t, known: Known::Contact(best) };
         }
     }
 }
@@ -154,7 +156,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
                     let [beta, gamma] = seen.weights();
                     let barycentric = [beta[lane], gamma[lane]];
                     let contact = Contact { t, part: block.numbers[lane], barycentric };
-                    self.best = Best { lo: t, hi: t, known: Known::Contact(contact) };
+                    *self.best = Best { lo: t, hi: t, known: Known::Contact(contact) };
                 }
             }
         } else {
@@ -169,7 +171,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
                 if !(is_sure && lo > range.lo && hi < self.best.lo) {
                     self.ask(place, lane);
                 } else if self.question.may_meet(block, lane) {
-                    self.best = Best { lo, hi, known: Known::Sure { block: place, lane } };
+                    *self.best = Best { lo, hi, known: Known::Sure { block: place, lane } };
                 }
             }
         }
@@ -192,7 +194,7 @@ pub(super) struct Any<'a, S: Simd, P: Precision, T, M> {
     pub(super) sight: Sight<S, P>,
     pub(super) blocks: &'a [Block<T>],
     /// Which triangle was hit.
-    pub(super) found: Option<u32>,
+    pub(super) found: &'a mut Option<u32>,
 }
 
 impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Any<'_, S, P, T, M> {
@@ -221,7 +223,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Any<'_, S, P, T, M>
                 self.question.decide(block, lane).is_some()
             };
             if is_met && self.question.may_meet(block, lane) {
-                self.found = Some(block.numbers[lane]);
+                *self.found = Some(block.numbers[lane]);
                 return true;
             }
         }
