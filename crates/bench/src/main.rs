@@ -1,6 +1,7 @@
 //! `bench`: goldray measured on this machine, alone and beside its peers; run
 //! as `cargo xtask bench`.
 
+mod files;
 mod image;
 mod trace;
 
