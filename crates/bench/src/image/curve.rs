@@ -94,7 +94,8 @@ mod tests {
 
     #[test]
     fn the_frontier_is_what_nothing_beats() {
-        let all = points(&[(4.0, 0.1), (1.0, 0.5), (2.0, 0.6), (2.0, 0.2), (5.0, 0.1), (8.0, 0.01)]);
+        let all =
+            points(&[(4.0, 0.1), (1.0, 0.5), (2.0, 0.6), (2.0, 0.2), (5.0, 0.1), (8.0, 0.01)]);
         assert_eq!(frontier(&all), [1, 3, 0, 5]);
         assert!(frontier(&[]).is_empty());
     }

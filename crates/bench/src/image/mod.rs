@@ -40,7 +40,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
     reps: u32,
     /// No setting is tried that is expected to take more seconds
-    #[arg(long, value_name = "SECONDS", default_value_t = 20.0)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
     longest: f64,
     /// Try the settings of other renderers again, not only those that told most before
     #[arg(long)]
@@ -167,9 +167,11 @@ fn measure(
         let least = points.iter().map(|point| point.rmse).fold(f64::INFINITY, f64::min);
         closest.insert(engine.name().to_owned(), least);
         let telling = telling(&points, &TARGETS).into_iter();
-        jobs.extend(telling.map(|i| (k, <[Trial]>::get(&trials, i).map(|t| t.setting))).filter_map(
-            |(k, setting)| setting.map(|setting| (k, setting)),
-        ));
+        jobs.extend(
+            telling
+                .map(|i| (k, <[Trial]>::get(&trials, i).map(|t| t.setting)))
+                .filter_map(|(k, setting)| setting.map(|setting| (k, setting))),
+        );
     }
     let rows = in_turns(stage, engines, &jobs, &truth, if args.quick { 1 } else { args.reps })?;
     let (width, height) = stage.read.file.image;

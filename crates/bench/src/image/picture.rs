@@ -5,6 +5,8 @@ use tracer::{LinearImage, Rgb, Size};
 /// The root of the mean square of all differences: over all pixels and the three
 /// linear channels, nothing cut off; infinite for pictures of different sizes.
 pub(crate) fn rmse(one: &LinearImage, other: &LinearImage) -> f64 {
+    /// Channels of a pixel.
+    const CHANNELS: f64 = 3.0;
     if one.size() != other.size() {
         return f64::INFINITY;
     }
@@ -12,8 +14,6 @@ pub(crate) fn rmse(one: &LinearImage, other: &LinearImage) -> f64 {
     let squares: f64 = pairs
         .map(|(p, q)| (*p + *q * -1.0).channels().into_iter().map(|x| x * x).sum::<f64>())
         .sum();
-    /// Channels of a pixel.
-    const CHANNELS: f64 = 3.0;
     (squares / (one.pixels().len() as f64 * CHANNELS)).sqrt()
 }
 
@@ -41,18 +41,16 @@ pub(crate) fn from_png16(bytes: &[u8], size: Size) -> Result<LinearImage, String
         .read_info()
         .map_err(|why| format!("expected a PNG file: {why}"))?;
     let mut buffer = vec![0; reader.output_buffer_size().unwrap_or(0)];
-    let frame = reader.next_frame(&mut buffer).map_err(|why| format!("a broken PNG file: {why}"))?;
+    let frame =
+        reader.next_frame(&mut buffer).map_err(|why| format!("a broken PNG file: {why}"))?;
     let found = (frame.width, frame.height, frame.bit_depth, frame.color_type);
-    let expected =
-        (size.width, size.height, png::BitDepth::Sixteen, png::ColorType::Rgb);
+    let expected = (size.width, size.height, png::BitDepth::Sixteen, png::ColorType::Rgb);
     if found != expected {
         return Err(format!("expected a PNG file of {expected:?}, found {found:?}"));
     }
     let (numbers, _) = buffer.as_chunks::<2>();
-    let numbers: Vec<_> = numbers
-        .iter()
-        .map(|x| f64::from(u16::from_be_bytes(*x)) / f64::from(u16::MAX))
-        .collect();
+    let numbers: Vec<_> =
+        numbers.iter().map(|x| f64::from(u16::from_be_bytes(*x)) / f64::from(u16::MAX)).collect();
     let (pixels, _) = numbers.as_chunks::<3>();
     LinearImage::from_pixels(size, pixels.iter().map(|pixel| Rgb::from(*pixel)).collect())
         .ok_or_else(|| "a PNG file with pixels missing".into())

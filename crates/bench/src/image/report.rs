@@ -145,9 +145,9 @@ impl Reached {
 /// where `than` does not get there.
 pub(crate) fn ratios(reached: &[Reached], than: &str) -> Vec<Ratio> {
     let base = |other: &Reached| {
-        reached.iter().find(|one| {
-            one.engine == than && one.scene == other.scene && one.rmse == other.rmse
-        })
+        reached
+            .iter()
+            .find(|one| one.engine == than && one.scene == other.scene && one.rmse == other.rmse)
     };
     reached
         .iter()
@@ -217,7 +217,8 @@ pub(super) mod tests {
         let marks: Vec<_> = report.rows.iter().map(|row| row.frontier).collect();
         assert_eq!(marks, [true, true, false, false]);
         let how: Vec<_> = report.reached.iter().map(|reached| reached.how).collect();
-        let (own, other) = (["cheapest", "between", "between"], ["between", "not within", "not within"]);
+        let (own, other) =
+            (["cheapest", "between", "between"], ["between", "not within", "not within"]);
         assert_eq!(how, [own, other].concat());
         let at_least: Vec<_> = report.ratios.iter().map(|ratio| ratio.at_least).collect();
         assert_eq!(at_least, [false, true, true]);

@@ -25,8 +25,7 @@ pub(crate) fn text(report: &Report) -> String {
             scene.truth,
             closest.join(", ")
         );
-        let heads: String =
-            TARGETS.iter().map(|rmse| format!("{:>CELL$}", format!("RMSE {rmse:e}"))).collect();
+        let heads = TARGETS.map(|rmse| format!("{:>CELL$}", format!("RMSE {rmse:e}"))).concat();
         let _ = writeln!(text, "  {:<NAMES$}{heads}", "seconds to");
         let of_scene = || report.reached.iter().filter(|one| one.scene == scene.scene);
         let mut engines: Vec<_> = of_scene().map(|one| one.engine.as_str()).collect();

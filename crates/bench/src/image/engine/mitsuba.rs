@@ -12,8 +12,9 @@ use crate::image::picture::from_floats;
 /// The program, and the picture it writes.
 const PROGRAM: &str = include_str!("ask_mitsuba.py");
 const PICTURE: &str = "mitsuba.f32";
-/// Its samplers; all of them take every power of 4.
-const SAMPLERS: [&str; 4] = ["independent", "stratified", "multijitter", "ldsampler"];
+/// Its samplers that place samples evenly, of which there are always better ones
+/// than `independent`; all of them take every power of 4.
+const SAMPLERS: [&str; 3] = ["stratified", "multijitter", "ldsampler"];
 const SAMPLES: [u32; 7] = [1, 4, 16, 64, 256, 1024, 4096];
 /// The oldest LLVM that it works with, and how it is told which to use.
 const OLDEST_LLVM: u32 = 15;
@@ -155,13 +156,15 @@ impl Engine for Mitsuba {
         // A divisor of the samples, which are a power of 2.
         let at_once = samples.min(1 << fit.ilog2());
         let request = Request { scene: &scene, picture: &picture, sampler, samples, at_once };
-        let failed = |why: String| format!("{} on {}, {setting}: {why}", self.name, scene.display());
+        let failed =
+            |why: String| format!("{} on {}, {setting}: {why}", self.name, scene.display());
         let mut line = serde_json::to_string(&request).map_err(|why| why.to_string())?;
         line.push('\n');
         let asked = self.questions.write_all(line.as_bytes()).and_then(|()| self.questions.flush());
         asked.map_err(|why| failed(why.to_string()))?;
         let answer = self.answer();
-        let failed = |why: String| format!("{} on {}, {setting}: {why}", self.name, scene.display());
+        let failed =
+            |why: String| format!("{} on {}, {setting}: {why}", self.name, scene.display());
         let Answer { seconds, .. } = answer.map_err(failed)?;
         let bytes = files::read(&picture)?;
         Ok(Shot { seconds, picture: from_floats(&bytes, size)? })

@@ -88,9 +88,9 @@ impl Engine for Povray {
 
     fn ladders(&self) -> Vec<Vec<Setting>> {
         let ladder = |method, threshold, jitter: f64, depths: &[u32]| {
-            let all = depths.iter().map(|&depth| {
-                Setting::Povray(Antialiasing { method, depth, threshold, jitter })
-            });
+            let all = depths
+                .iter()
+                .map(|&depth| Setting::Povray(Antialiasing { method, depth, threshold, jitter }));
             all.collect::<Vec<_>>()
         };
         let mut ladders = vec![vec![Setting::Povray(Antialiasing::NONE)]];
@@ -155,7 +155,9 @@ mod tests {
                     using 1 thread(s) with 0.109 CPU-seconds total\n";
         assert_eq!(trace_seconds(told), Ok(0.109));
         assert!(trace_seconds("  Trace Time: long\n").unwrap_err().contains("found \"\""));
-        assert!(trace_seconds("Trace Time:\n with no CPU-seconds").unwrap_err().contains("with no"));
+        assert!(
+            trace_seconds("Trace Time:\n with no CPU-seconds").unwrap_err().contains("with no")
+        );
     }
 
     #[test]

@@ -110,8 +110,10 @@ fn light(light: &Light) -> Result<(Triple, Triple), String> {
 }
 
 fn surface(file: &SceneFile, object: &Object) -> Result<Surface, String> {
-    if let Object::Group { .. } | Object::Plane { .. } | Object::Torus { .. } | Object::Cone { .. } =
-        object
+    if let Object::Group { .. }
+    | Object::Plane { .. }
+    | Object::Torus { .. }
+    | Object::Cone { .. } = object
     {
         return Err(format!(
             "expected spheres, boxes, disks, triangles, cylinders and meshes, found {object:?}"
@@ -124,9 +126,7 @@ fn surface(file: &SceneFile, object: &Object) -> Result<Surface, String> {
     match named {
         Some(Material::Lambert { diffuse: Some(diffuse) }) => Ok(Surface::Lambert(*diffuse)),
         Some(Material::Constant { color }) => Ok(Surface::Shining(*color)),
-        other => {
-            Err(format!("expected `Lambert` with a `diffuse` or `Constant`, found {other:?}"))
-        }
+        other => Err(format!("expected `Lambert` with a `diffuse` or `Constant`, found {other:?}")),
     }
 }
 

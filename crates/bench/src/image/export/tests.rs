@@ -89,7 +89,7 @@ fn all_scenes_are_exported() {
     for source in all() {
         let read = source.read(None).unwrap();
         let model = Model::new(&read, &source.meshes).unwrap();
-        assert!(povray(&model).len() > 100 && mitsuba(&model).len() > 0, "{}", source.name);
+        assert!(povray(&model).len() > 100 && !mitsuba(&model).is_empty(), "{}", source.name);
     }
 }
 
@@ -108,7 +108,22 @@ fn what_others_cannot_show_alike_is_refused() {
         Source { text: source.text.replace(from, to), ..source }
     };
     check(&other("Radiometric", "Classic"), "`Radiometric`");
-    check(&other("Point(position: (1, 2, 3), intensity: (4, 5, 6))", "Ambient(intensity: (1, 1, 1))"), "point lights");
-    check(&other("LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 90)", "Parallel(view_point: (0, 0, 0))"), "perspective");
-    check(&other("LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 90)", "Perspective(view_point: (0, 0, 0))"), "square");
+    check(
+        &other("Point(position: (1, 2, 3), intensity: (4, 5, 6))", "Ambient(intensity: (1, 1, 1))"),
+        "point lights",
+    );
+    check(
+        &other(
+            "LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 90)",
+            "Parallel(view_point: (0, 0, 0))",
+        ),
+        "perspective",
+    );
+    check(
+        &other(
+            "LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 90)",
+            "Perspective(view_point: (0, 0, 0))",
+        ),
+        "square",
+    );
 }

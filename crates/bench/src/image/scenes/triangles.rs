@@ -16,7 +16,16 @@ impl Triangles {
             0 => &["x", "y", "z"],
             _ => &["x", "y", "z", "nx", "ny", "nz"],
         };
-        let numbers: String = names.iter().map(|name| format!("property float {name}\n")).collect();
+        let numbers: Vec<_> = names
+            .iter()
+            .map(|name| {
+                format!(
+                    "property float {name}
+"
+                )
+            })
+            .collect();
+        let numbers = numbers.concat();
         let mut bytes = format!(
             "ply\nformat binary_little_endian 1.0\nelement vertex {}\n{numbers}element face {}\n\
              property list uchar int vertex_indices\nend_header\n",
@@ -56,8 +65,8 @@ impl Triangles {
                     }
                     corner
                 };
-                let mut side =
-                    [(false, false), (true, false), (true, true), (false, true)].map(|(a, b)| corner(a, b));
+                let mut side = [(false, false), (true, false), (true, true), (false, true)]
+                    .map(|(a, b)| corner(a, b));
                 if !is_high {
                     side.reverse();
                 }

@@ -50,8 +50,7 @@ pub(crate) fn kept(
         files::write(&path, &to_bytes(&picture))?;
         picture
     };
-    let brightest =
-        picture.pixels().iter().flat_map(|pixel| pixel.channels()).fold(0.0, f64::max);
+    let brightest = picture.pixels().iter().flat_map(|pixel| pixel.channels()).fold(0.0, f64::max);
     if brightest <= 1.0 {
         return Ok(picture);
     }
@@ -116,9 +115,8 @@ pub(crate) fn integrated(scene: &Scene) -> LinearImage {
             let rows: Vec<_> = (0..GRID + 2).map(|k| plane.row(y * GRID + k)).collect();
             (0..size.width)
                 .map(|x| {
-                    let looks = |column: u32, row: u32| {
-                        rows[row as usize][(x * GRID + column) as usize]
-                    };
+                    let looks =
+                        |column: u32, row: u32| rows[row as usize][(x * GRID + column) as usize];
                     if is_calm(&looks) { mean_of(&looks) } else { plane.mean(x, y) }
                 })
                 .collect()
