@@ -60,9 +60,9 @@ pub(crate) struct Args {
 }
 
 /// The size of `--quick`.
-const QUICK: (u32, u32) = (96, 72);
+const QUICK: (u32, u32) = (64, 48);
 /// The seconds of its longest setting.
-const QUICK_LONGEST: f64 = 0.3;
+const QUICK_LONGEST: f64 = 0.1;
 /// Below the smallest error asked for by this factor, no better one is tried.
 const BELOW: f64 = 0.9;
 
@@ -100,6 +100,8 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         ratios: Vec::new(),
     };
     let mut pictures = BTreeMap::new();
+    // Before minutes of measuring: a path that cannot be written is told at once.
+    write(&report, &pictures, args)?;
     for source in sources.into_iter().filter(|source| chosen.contains(&source.name)) {
         let stage = Stage::new(source, args.quick.then_some(QUICK))?;
         let (of_scene, mut rows, truth) = measure(&stage, &mut engines, args)?;
@@ -108,15 +110,26 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         report.rows.extend(rows);
         pictures.insert(of_scene.scene.clone(), truth);
         report.scenes.push(of_scene);
+        report.ratios = ratios(&report.reached, OURS[0]);
+        // After each scene: nothing is lost if it ends early.
+        write(&report, &pictures, args)?;
     }
-    report.ratios = ratios(&report.reached, OURS[0]);
     print!("{}", table::text(&report));
+    Ok(())
+}
+
+/// Writes the files that were asked for.
+fn write(
+    report: &Report,
+    pictures: &BTreeMap<String, LinearImage>,
+    args: &Args,
+) -> Result<(), String> {
     if let Some(path) = &args.json {
-        let text = serde_json::to_string_pretty(&report).map_err(|why| why.to_string())?;
+        let text = serde_json::to_string_pretty(report).map_err(|why| why.to_string())?;
         files::write(path, format!("{text}\n").as_bytes())?;
     }
     if let Some(path) = &args.svg {
-        files::write(path, plot::svg(&report, &pictures)?.as_bytes())?;
+        files::write(path, plot::svg(report, pictures)?.as_bytes())?;
     }
     Ok(())
 }

@@ -19,6 +19,8 @@ const STEEP: f64 = 4.0;
 /// takes longer by this factor: what it adds is not where the error is.
 const PLATEAU: f64 = 0.02;
 const DEARER: f64 = 1.2;
+/// A ladder is left where another one's step is as exact and faster by this factor.
+const HOPELESS: f64 = 3.0;
 
 /// One setting's trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,6 +73,7 @@ fn climb(
     trials: &mut Vec<Trial>,
     mut shoot: impl FnMut(Setting) -> Result<Point, String>,
 ) -> Result<(), String> {
+    let others: Vec<_> = trials.iter().map(|trial| trial.point).collect();
     let mut before: Option<Point> = None;
     for &setting in ladder {
         let point = shoot(setting)?;
@@ -79,7 +82,10 @@ fn climb(
         let is_flat = steeper > DEARER
             && before.is_some_and(|before| point.rmse > before.rmse * (1.0 - PLATEAU));
         let too_long = point.seconds * steeper.max(1.0) > limits.longest;
-        if point.rmse <= limits.rmse || is_flat || too_long {
+        let is_hopeless = others
+            .iter()
+            .any(|other| other.rmse <= point.rmse && other.seconds * HOPELESS < point.seconds);
+        if point.rmse <= limits.rmse || is_flat || too_long || is_hopeless {
             break;
         }
         before = Some(point);
@@ -147,8 +153,17 @@ mod tests {
 
     /// How many steps are taken if they cost and give this.
     fn steps(points: &[(f64, f64)]) -> usize {
+        steps_beside(&[], points)
+    }
+
+    /// The same after others gave that.
+    fn steps_beside(others: &[(f64, f64)], points: &[(f64, f64)]) -> usize {
         let ladder: Vec<_> = (0..points.len() as u32).map(Setting::Grid).collect();
-        let mut trials = Vec::new();
+        let known = |&(seconds, rmse): &(f64, f64)| Trial {
+            setting: Setting::Error(rmse),
+            point: Point { seconds, rmse },
+        };
+        let mut trials: Vec<_> = others.iter().map(known).collect();
         let shoot = |setting| match setting {
             Setting::Grid(k) => {
                 let (seconds, rmse) = points[k as usize];
@@ -157,7 +172,7 @@ mod tests {
             other => Err(other.to_string()),
         };
         climb(&ladder, LIMITS, &mut trials, shoot).unwrap();
-        trials.len()
+        trials.len() - others.len()
     }
 
     #[test]
@@ -168,6 +183,9 @@ mod tests {
         assert_eq!(steps(&[(1.0, 0.1), (1.0, 0.1), (16.0, 5e-3)]), 3, "no more work, and more");
         assert_eq!(steps(&[(1.0, 0.1), (20.0, 0.01), (400.0, 5e-4)]), 2, "too long next");
         assert_eq!(steps(&[(30.0, 0.1), (20.0, 0.01)]), 1, "too long at once");
+        let climbed = |other| steps_beside(&[other], &[(1.0, 0.1), (4.0, 0.02), (6.0, 5e-3)]);
+        assert_eq!(climbed((1.0, 0.02)), 2, "another is as exact and much faster");
+        assert_eq!(climbed((2.0, 0.02)), 3, "another is somewhat faster");
     }
 
     #[test]

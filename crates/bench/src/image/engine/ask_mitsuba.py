@@ -14,8 +14,10 @@ import drjit
 import mitsuba
 import numpy
 
-# Below this many seconds a first render is mostly the compiler's.
-WARM_UP = 5.0
+# Below this many seconds a first render is in good part the compiler's, in the
+# variants that compile what they run.
+WARM_UP = 3.0
+compiles = not sys.argv[1].startswith("scalar")
 
 scenes = {}
 
@@ -46,8 +48,7 @@ def answer(request):
     key = tuple(request[name] for name in ("scene", "sampler", "samples"))
     scene = loaded(request["scene"], request["sampler"], request["at_once"])
     seconds, picture = render(scene, request["samples"])
-    if key not in rendered and seconds < WARM_UP:
-        # The first one compiled what it ran.
+    if compiles and key not in rendered and seconds < WARM_UP:
         seconds, picture = render(scene, request["samples"])
     rendered.add(key)
     numpy.array(picture).astype("<f4").tofile(request["picture"])

@@ -150,7 +150,7 @@ pub(super) fn fence() -> String {
     }
     scene(
         "LookAt(eye: (0.9, 1.9, 8), at: (-0.1, 0.45, 0), fov_deg: 34)",
-        "Point(position: (-6, 9, 6), intensity: (330, 315, 290))",
+        "Point(position: (-6, 9, 6), intensity: (560, 535, 493))",
         &objects,
     )
 }
