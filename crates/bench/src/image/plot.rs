@@ -22,8 +22,8 @@ use super::table::digits;
 
 /// Panels side by side.
 const COLUMNS: usize = 3;
-/// A panel with its axes and title, in pixels.
-const PANEL: (f64, f64) = (452.0, 372.0);
+/// A panel with its title, axes and table, in pixels.
+const PANEL: (f64, f64) = (452.0, 436.0);
 /// The part of it that has points.
 const INSIDE: Rect = Rect { left: 52.0, top: 44.0, right: 440.0, bottom: 334.0 };
 /// The head with the title and the legend.
@@ -37,6 +37,9 @@ const THUMBNAIL: (u32, u32) = (96, 72);
 const BAND: Stroke = Stroke { color: "#f3df7a", width: 9.0, dashes: "" };
 /// The error whose times are told in each panel: the one between others.
 const TOLD: f64 = TARGETS[TARGETS.len() / 2];
+/// The first line of the table, and its columns.
+const TABLE: f64 = 382.0;
+const TABLE_COLUMNS: usize = 2;
 /// From one line of text to the next, in its size.
 const LINE: f64 = 1.35;
 
@@ -145,27 +148,27 @@ fn panel(pen: &mut Pen, report: &Report, scene: &OfScene, scales: &Scales) {
     told(pen, report, scene);
 }
 
-/// How many times longer others take, in the lower left, where nobody is.
+/// How many times longer others take, below the axes in columns.
 fn told(pen: &mut Pen, report: &Report, scene: &OfScene) {
     let of_scene = |name: &str, rmse: f64| name == scene.scene && rmse == TOLD;
-    let ours =
-        report.reached.iter().find(|one| of_scene(&one.scene, one.rmse) && one.engine == OURS[0]);
+    let all = || report.reached.iter().filter(|one| of_scene(&one.scene, one.rmse));
+    let Some(ours) = all().find(|one| one.engine == OURS[0]) else { return };
+    let sign = if ours.is_not_within() { "more than " } else { "" };
+    let mut y = TABLE;
+    let takes = format!("to {TOLD:e} {} takes {sign}{} s", OURS[0], digits(ours.seconds));
+    pen.text((INSIDE.left, y), (SMALL, INK), &takes);
     let ratios = report.ratios.iter().filter(|ratio| of_scene(&ratio.scene, ratio.rmse));
-    let mut lines: Vec<(String, &str)> = Vec::new();
-    if let Some(one) = ours {
-        let sign = if one.is_not_within() { "> " } else { "" };
-        lines.push((format!("{TOLD:e}: {sign}{} s", digits(one.seconds)), INK));
-    }
-    for ratio in ratios {
+    for (k, ratio) in ratios.enumerate() {
         let look = LOOKS.iter().find(|look| look.engine == ratio.engine);
+        let color = look.map_or(GRAY, |look| look.stroke.color);
         let sign = if ratio.at_least { ">" } else { "" };
-        let text = format!("{:>7}x {}", format!("{sign}{}", digits(ratio.times)), ratio.engine);
-        lines.push((text, look.map_or(GRAY, |look| look.stroke.color)));
-    }
-    let mut y = INSIDE.bottom - 8.0 - SMALL * LINE * (lines.len() as f64 - 1.0);
-    for (text, color) in lines {
-        pen.text((INSIDE.left + 8.0, y), (SMALL, color), &text);
-        y += SMALL * LINE;
+        let times = format!("{sign}{}x", digits(ratio.times));
+        if k % TABLE_COLUMNS == 0 {
+            y += SMALL * LINE;
+        }
+        let x = INSIDE.left
+            + (INSIDE.right - INSIDE.left) * (k % TABLE_COLUMNS) as f64 / TABLE_COLUMNS as f64;
+        pen.text((x, y), (SMALL, color), &format!("{times:>8} {}", ratio.engine));
     }
 }
 
@@ -204,9 +207,13 @@ mod tests {
         let picture = LinearImage::from_fn(size, |_, _| Rgb::WHITE);
         let pictures = BTreeMap::from([("balls".to_owned(), picture)]);
         let text = svg(&report(), &pictures).unwrap();
-        for part in
-            [">balls<", ">povray<", "1e-3: 0.224 s", " >13.4x povray", "image/png;base64,iVBOR"]
-        {
+        for part in [
+            ">balls<",
+            ">povray<",
+            "to 1e-3 goldray-adaptive takes 0.224 s",
+            " >13.4x povray",
+            "image/png;base64,iVBOR",
+        ] {
             let part = part.replace(" >", " &gt;");
             assert!(text.contains(&part), "{part} in {text}");
         }

@@ -18,24 +18,23 @@ pub(super) struct Scales {
     rmse: (f64, f64),
 }
 
-/// Room around all points, as a factor; below it is for words.
+/// Room around all points, as a factor.
 const AROUND: f64 = 1.5;
-const BELOW: f64 = 8.0;
 
 impl Scales {
     /// Scales that hold all these, and a decade at least.
     pub(super) fn new(points: &[Point], inside: Rect) -> Self {
-        let range = |numbers: &mut dyn Iterator<Item = f64>, below: f64| {
+        let range = |numbers: &mut dyn Iterator<Item = f64>| {
             let (least, most) = numbers
                 .filter(|x| *x > 0.0 && x.is_finite())
                 .fold((f64::INFINITY, 0.0), |(least, most), x| (x.min(least), x.max(most)));
-            let least = if least.is_finite() { least / below } else { 1.0 };
+            let least = if least.is_finite() { least / AROUND } else { 1.0 };
             (least, (most * AROUND).max(least * 10.0))
         };
         Self {
             inside,
-            seconds: range(&mut points.iter().map(|point| point.seconds), AROUND),
-            rmse: range(&mut points.iter().map(|point| point.rmse), BELOW),
+            seconds: range(&mut points.iter().map(|point| point.seconds)),
+            rmse: range(&mut points.iter().map(|point| point.rmse)),
         }
     }
 
