@@ -59,7 +59,8 @@ pub(crate) struct Args {
     svg: Option<PathBuf>,
 }
 
-/// The size of `--quick`.
+/// The scenes of `--quick`, if none is named, and its size.
+const QUICK_SCENES: [&str; 3] = ["disk", "balls", "knot-smooth"];
 const QUICK: (u32, u32) = (64, 48);
 /// The seconds of its longest setting.
 const QUICK_LONGEST: f64 = 0.1;
@@ -80,7 +81,10 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         }
         return Ok(());
     }
-    let chosen = choose("--scenes", &args.scenes, &names)?;
+    let chosen = match args.scenes[..] {
+        [] if args.quick => QUICK_SCENES.to_vec(),
+        _ => choose("--scenes", &args.scenes, &names)?,
+    };
     let all = if args.quick { OURS.to_vec() } else { [&OURS[..], &PEERS[..]].concat() };
     let wanted = choose("--engines", &args.engines, &all)?;
     let (mut engines, missing) = engine::find(&wanted);
@@ -257,6 +261,12 @@ mod tests {
         assert_eq!(choose(&["c", "a"]).unwrap(), ["a", "c"]);
         let why = choose(&["a", "d"]).unwrap_err();
         assert_eq!(why, "--scenes: expected some of a, b, c, found \"d\"");
+    }
+
+    #[test]
+    fn the_quick_scenes_are_there() {
+        let known: Vec<_> = scenes::all().iter().map(|source| source.name).collect();
+        assert!(QUICK_SCENES.iter().all(|name| known.contains(name)));
     }
 
     #[test]
