@@ -91,6 +91,9 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     for (name, why) in &missing {
         eprintln!("missing: {name}: {why}");
     }
+    if engines.is_empty() {
+        return Err("--engines: none of those that are wanted is there".into());
+    }
     let mut report = Report {
         schema: 1,
         error: Report::ERROR,
