@@ -84,7 +84,7 @@ pub(super) fn city() -> String {
     }
     scene(
         "LookAt(eye: (9.5, 8, 15), at: (0.3, 0, 0.6), fov_deg: 36)",
-        "Point(position: (-9, 14, 6), intensity: (760, 730, 680))",
+        "Point(position: (-9, 14, 6), intensity: (660, 634, 590))",
         &objects,
     )
 }
@@ -119,7 +119,7 @@ pub(super) fn spheres() -> String {
     }
     scene(
         "LookAt(eye: (4, 4.6, 10), at: (0, -0.2, 0.6), fov_deg: 36)",
-        "Point(position: (-6, 9, 5), intensity: (330, 315, 290))",
+        "Point(position: (-6, 9, 5), intensity: (305, 291, 268))",
         &objects,
     )
 }
@@ -150,7 +150,7 @@ pub(super) fn fence() -> String {
     }
     scene(
         "LookAt(eye: (0.9, 1.9, 8), at: (-0.1, 0.45, 0), fov_deg: 34)",
-        "Point(position: (-6, 9, 6), intensity: (560, 535, 493))",
+        "Point(position: (-6, 9, 6), intensity: (500, 478, 440))",
         &objects,
     )
 }
