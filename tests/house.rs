@@ -14,7 +14,10 @@ fn sources(folder: &str) -> Vec<(PathBuf, String)> {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                walk(&path, found);
+                // What is built of a workspace of its own is not ours to judge.
+                if !path.ends_with("target") {
+                    walk(&path, found);
+                }
             } else if path.extension().is_some_and(|ending| ending == "rs") {
                 found.push((path.clone(), fs::read_to_string(&path).unwrap()));
             }
@@ -63,8 +66,7 @@ fn crates_import_only_downwards() {
 #[test]
 fn one_file_opens_files() {
     for (path, text) in ["crates", "xtask/src"].into_iter().flat_map(sources) {
-        let stores = ["crates/harness/src/store.rs", "crates/bench/src/files.rs"];
-        let is_store = stores.iter().any(|store| path.ends_with(store));
+        let is_store = path.ends_with("crates/harness/src/store.rs");
         let opens = ["std::fs", "fs::read", "fs::write", "File::open"];
         let found = opens.iter().find(|opens| text.contains(**opens));
         assert!(is_store || found.is_none(), "{} says {found:?}", path.display());

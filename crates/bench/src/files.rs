@@ -1,7 +1,12 @@
-//! The bench's files: what it writes and reads beside its own build.
+//! The bench's files beside its own build: what it is given, keeps and asks of
+//! other programs.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+
+use harness::store;
+
+/// The most bytes that are read of any of them: a picture of the largest size.
+const MAX_BYTES: u64 = 2 << 30;
 
 /// The folder of this crate's build, which holds everything that the bench
 /// installs, keeps and throws away.
@@ -16,28 +21,16 @@ pub(crate) fn peers() -> PathBuf {
 
 /// The bytes of a file, or why they cannot be had.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    fs::read(path).map_err(|why| format!("{}: cannot be read: {why}", path.display()))
+    let bytes = store::read(path, MAX_BYTES).map_err(|why| why.to_string())?;
+    bytes.ok_or_else(|| format!("{}: expected a file, found none", path.display()))
 }
 
 /// The bytes of a file that need not be there.
 pub(crate) fn read_kept(path: &Path) -> Option<Vec<u8>> {
-    fs::read(path).ok()
+    store::read(path, MAX_BYTES).ok().flatten()
 }
 
 /// Writes a file, and the folders that it lies in.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    let write = || {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        fs::write(path, bytes)
-    };
-    write().map_err(|why| format!("{}: cannot be written: {why}", path.display()))
-}
-
-/// What the system calls this machine's processor.
-pub(crate) fn machine() -> String {
-    let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
-    name.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.to_owned())
+    store::write(path, bytes).map_err(|why| why.to_string())
 }

@@ -4,7 +4,6 @@
 //! All renderers are given the same scenes. Each setting of each is tried once;
 //! those that tell how long an error takes are then measured in turns.
 
-mod clock;
 mod curve;
 mod engine;
 mod export;
@@ -22,6 +21,7 @@ use std::path::PathBuf;
 use tracer::LinearImage;
 
 use crate::files;
+use crate::machine::Machine;
 use curve::telling;
 use engine::{Engine, OURS, PEERS, Setting, Stage};
 use report::{OfScene, Report, Row, TARGETS, mark_frontier, ratios, reached};
@@ -98,7 +98,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         schema: 1,
         error: Report::ERROR,
         time: Report::TIME,
-        machine: files::machine(),
+        machine: Machine::here().cpu,
         versions: engines.iter().map(|one| (one.name().to_owned(), one.version())).collect(),
         missing,
         scenes: Vec::new(),

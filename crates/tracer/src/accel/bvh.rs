@@ -51,7 +51,7 @@ impl Bvh {
         for &i in &self.unbounded {
             closest.consider(i);
         }
-        self.walk(ray, range, meter, &mut closest);
+        self.walk(ray, range.until(closest.t_best), meter, &mut closest);
         closest.best
     }
 
@@ -67,7 +67,7 @@ impl Bvh {
             || self.walk(ray, range, meter, &mut Any { bvh: self, test })
     }
 
-    fn walk<V: Scaled, M: Meter>(
+    fn walk<V: Visitor, M: Meter>(
         &self,
         ray: &Ray,
         range: Interval,
@@ -80,13 +80,6 @@ impl Bvh {
     fn candidates(&self, leaf: Leaf) -> &[u32] {
         &self.order[leaf.place()..leaf.place() + leaf.count()]
     }
-}
-
-/// A visitor that hears of the walk's time when it starts.
-trait Scaled: Visitor {
-    fn start(&mut self, time: TimeScale);
-    /// Behind which nothing is of use.
-    fn until(&self) -> f64;
 }
 
 struct Closest<'a, H, F> {
@@ -115,6 +108,10 @@ impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Closest<'_, H, F> {
 impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Visitor for Closest<'_, H, F> {
     const ANY: bool = false;
 
+    fn start(&mut self, time: TimeScale) {
+        self.time = time;
+    }
+
     fn visit(&mut self, leaf: Leaf, t_max: &mut f32) -> bool {
         for &i in self.bvh.candidates(leaf) {
             self.consider(i);
@@ -125,15 +122,6 @@ impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Visitor for Closest<'_,
 
     #[inline(always)]
     fn expect(&self, _: Leaf) {}
-}
-
-impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Scaled for Closest<'_, H, F> {
-    fn start(&mut self, time: TimeScale) {
-        self.time = time;
-    }
-    fn until(&self) -> f64 {
-        self.t_best
-    }
 }
 
 struct Any<'a, F> {
@@ -152,13 +140,6 @@ impl<F: FnMut(u32) -> bool> Visitor for Any<'_, F> {
     fn expect(&self, _: Leaf) {}
 }
 
-impl<F: FnMut(u32) -> bool> Scaled for Any<'_, F> {
-    fn start(&mut self, _: TimeScale) {}
-    fn until(&self) -> f64 {
-        f64::INFINITY
-    }
-}
-
 struct Walk<'a, V, M> {
     wide: &'a Wide,
     ray: &'a Ray,
@@ -167,17 +148,12 @@ struct Walk<'a, V, M> {
     visitor: &'a mut V,
 }
 
-impl<V: Scaled, M: Meter> Work for Walk<'_, V, M> {
+impl<V: Visitor, M: Meter> Work for Walk<'_, V, M> {
     type Output = bool;
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {
         let Self { wide, ray, range, meter, visitor } = self;
-        let range = range.until(range.hi.min(visitor.until()));
-        wide.walk_ray(simd, ray, range, meter, |time| {
-            visitor.start(time);
-            visitor
-        })
-        .0
+        wide.walk_ray(simd, ray, range, meter, visitor)
     }
 }

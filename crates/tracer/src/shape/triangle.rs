@@ -4,7 +4,7 @@
 
 mod shear;
 
-pub(super) use shear::{Axis, Line, Shear};
+pub(super) use shear::{Line, Shear};
 
 use glam::DVec3;
 

@@ -4,7 +4,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use tracer::{SampleGrid, Scene, SceneParts, render};
 
 use super::{Engine, OURS, Setting, Shot, Stage};
-use crate::image::clock::thread_seconds;
+use crate::measure::thread_seconds;
 
 /// Samples a pixel of the grid.
 const GRIDS: [u32; 9] = [1, 4, 9, 16, 36, 64, 144, 256, 1024];

@@ -36,8 +36,11 @@ pub(crate) struct Wide {
     extent: [f64; 4],
     /// The largest of these.
     largest: f64,
-    /// How many times more than a shape's own formulas the candidates round.
-    rounding: f64,
+    /// An origin of a larger coordinate, scaled, is too far away to compute with.
+    farthest: f64,
+    /// How much boxes are widened, in the largest coordinate of an origin plus
+    /// that of the boxes.
+    thickness: f64,
 }
 
 impl Wide {
@@ -68,7 +71,8 @@ impl Wide {
         });
         let nodes = nodes.collect();
         let largest = extent.into_iter().fold(0.0, f64::max);
-        Self { nodes, scale, extent, largest, rounding }
+        let farthest = slabs::FARTHEST * largest;
+        Self { nodes, scale, extent, largest, farthest, thickness: slabs::thickness(rounding) }
     }
 
     /// How many bytes it takes.
@@ -85,12 +89,11 @@ impl Wide {
         ray: &Ray,
         range: Interval,
         meter: &impl Meter,
-        visitor: impl FnOnce(TimeScale) -> V,
-    ) -> (bool, V) {
+        visitor: &mut V,
+    ) -> bool {
         let (slabs, time) = Slabs::new(simd, self, ray, range);
-        let mut visitor = visitor(time);
-        let ended = self.walk(simd, &slabs, time.up(range.hi), meter, &mut visitor);
-        (ended, visitor)
+        visitor.start(time);
+        self.walk(simd, &slabs, time.up(range.hi), meter, visitor)
     }
 
     /// The boxes of the nodes down to a few levels.

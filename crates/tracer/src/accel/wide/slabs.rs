@@ -23,6 +23,13 @@ const PADDING: f64 = 64.0;
 /// Boxes are widened by this part of `S` besides, so that a ray along a side is
 /// inside as long as it is near.
 const THICKNESS: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// How much boxes are widened, in `S`, whose candidates round so many times more
+/// than a shape's own formulas.
+pub(super) fn thickness(rounding: f64) -> f64 {
+    THICKNESS + PADDING * UNIT_ROUNDOFF * rounding
+}
+
 /// The largest reciprocal of a direction's component: a smaller component is
 /// taken for one of this size.
 const LARGEST: f64 = (1_u64 << 60) as f64;
@@ -31,7 +38,7 @@ const LARGEST: f64 = (1_u64 << 60) as f64;
 const LONGEST: f64 = (1_u64 << 20) as f64;
 /// An origin farther away than this many times the boxes' largest coordinate
 /// would leave the range of `f32`: such a ray enters every box.
-const FARTHEST: f64 = (1_u64 << 30) as f64;
+pub(super) const FARTHEST: f64 = (1_u64 << 30) as f64;
 
 /// A ray seen by the boxes of a hierarchy. Its parameter is the ray's own times
 /// a power of two.
@@ -56,21 +63,29 @@ impl TimeScale {
     /// For those who do not walk.
     pub(crate) const ANY: Self = Self([1.0; 2]);
 
-    /// At most the slabs' parameter at the ray's `t`.
+    /// At most the slabs' parameter at the ray's `t`; a NaN, which bounds nothing,
+    /// for a `t` of infinity.
     #[inline(always)]
     fn down(self, t: f64) -> f32 {
         let t = t * self.0[0] * self.0[1];
-        let rounded = t as f32;
-        if f64::from(rounded) <= t { rounded } else { rounded.next_down() }
+        (t - rounding_f32(t)) as f32
     }
 
-    /// At least the slabs' parameter at the ray's `t`.
+    /// At least the slabs' parameter at the ray's `t`; a NaN, which bounds nothing,
+    /// for a `t` of minus infinity.
     #[inline(always)]
     pub(crate) fn up(self, t: f64) -> f32 {
         let t = t * self.0[0] * self.0[1];
-        let rounded = t as f32;
-        if f64::from(rounded) >= t { rounded } else { rounded.next_up() }
+        (t + rounding_f32(t)) as f32
     }
+}
+
+/// More than rounding to `f32` moves a number, but for those so small that it is
+/// nothing beside the thickness of a box. 0 stays 0, as a walk's order is that of
+/// numbers that are not negative.
+#[inline(always)]
+fn rounding_f32(x: f64) -> f64 {
+    x.abs() * (2.0 * UNIT_ROUNDOFF_F32)
 }
 
 impl<S: Simd> Slabs<S> {
@@ -78,52 +93,64 @@ impl<S: Simd> Slabs<S> {
     #[inline(always)]
     pub(super) fn new(simd: S, wide: &Wide, ray: &Ray, range: Interval) -> (Self, TimeScale) {
         let longest = max_abs(ray.direction);
-        let unit = if 1.0 / LONGEST < longest && longest < LONGEST {
-            1.0
-        } else {
-            power_of_two_below(longest).unwrap_or(f64::NAN)
-        };
         let reach = max_abs(ray.origin) * wide.scale + wide.largest;
-        let time = TimeScale([unit, wide.scale]);
-        let t_min = time.down(range.lo);
-        let t_min = simd.eight(if t_min.is_finite() { t_min } else { f32::NEG_INFINITY });
         // Not so for a NaN or an infinity anywhere.
-        let is_ordinary = reach < FARTHEST * wide.largest && longest < f64::INFINITY && unit > 0.0;
-        if !is_ordinary {
-            let (zero, far) = (simd.eight(0.0), simd.eight(f32::NEG_INFINITY));
-            let slabs = Self {
-                recip: [zero; 3],
+        let is_usual = 1.0 / LONGEST < longest && longest < LONGEST && reach < wide.farthest;
+        if !is_usual {
+            return Self::unusual(simd, wide, ray, range);
+        }
+        let time = TimeScale([1.0, wide.scale]);
+        (Self::usual(simd, wide, ray, reach, time.down(range.lo)), time)
+    }
+
+    /// A ray whose direction is to be brought to a length that can be computed
+    /// with, or that enters every box.
+    #[cold]
+    fn unusual(simd: S, wide: &Wide, ray: &Ray, range: Interval) -> (Self, TimeScale) {
+        let longest = max_abs(ray.direction);
+        let reach = max_abs(ray.origin) * wide.scale + wide.largest;
+        let unit = power_of_two_below(longest).filter(|_| reach < wide.farthest);
+        let time = TimeScale([unit.unwrap_or(1.0), wide.scale]);
+        let t_min = time.down(range.lo);
+        let slabs = match unit {
+            Some(unit) => {
+                let ray = Ray { direction: ray.direction / unit, ..*ray };
+                Self::usual(simd, wide, &ray, reach, t_min)
+            }
+            None => Self {
+                recip: [simd.eight(0.0); 3],
                 near: [simd.eight(f32::INFINITY); 3],
-                far: [far; 3],
+                far: [simd.eight(f32::NEG_INFINITY); 3],
                 down: [false; 3],
-                t_min,
-            };
-            return (slabs, time);
-        }
-        let [o, d] = [ray.origin, ray.direction].map(|v| [v.x, v.y, v.z, 1.0]);
-        let origin = simd.load_four_long(&o) * simd.four_long(wide.scale);
-        let mut direction = simd.load_four_long(&d);
-        if unit != 1.0 {
-            direction = direction * simd.four_long(1.0 / unit);
-        }
+                t_min: simd.eight(t_min),
+            },
+        };
+        (slabs, time)
+    }
+
+    #[inline(always)]
+    fn usual(simd: S, wide: &Wide, ray: &Ray, reach: f64, t_min: f32) -> Self {
+        let (o, d) = (ray.origin, ray.direction);
+        let origin = simd.load_four_long(&[o.x, o.y, o.z, 1.0]) * simd.four_long(wide.scale);
+        let direction = simd.load_four_long(&[d.x, d.y, d.z, 1.0]);
         // That of a component taken for 0 is infinite, or too large.
         let recip = simd.four_long(1.0) / direction;
         let recip = recip.min(simd.four_long(LARGEST)).max(simd.four_long(-LARGEST));
         let sizes = origin.magnitude() + simd.load_four_long(&wide.extent);
-        let thickness = (THICKNESS + PADDING * UNIT_ROUNDOFF * wide.rounding) * reach;
         let roundings = simd.four_long(ROUNDINGS * UNIT_ROUNDOFF_F32);
-        let apart = simd.four_long(thickness).plus_product(sizes, roundings) * recip.magnitude();
+        let thickness = simd.four_long(wide.thickness * reach);
+        let apart = thickness.plus_product(sizes, roundings) * recip.magnitude();
         let at = origin * recip;
+        let (near, far) = ((at + apart).to_singles(), (at - apart).to_singles());
         let recip = recip.to_singles();
-        let slabs = Self {
-            near: eights(simd, (at + apart).to_singles()),
-            far: eights(simd, (at - apart).to_singles()),
+        Self {
             recip: eights(simd, recip),
+            near: eights(simd, near),
+            far: eights(simd, far),
             // Of a -0 too.
             down: [recip[0] < 0.0, recip[1] < 0.0, recip[2] < 0.0],
-            t_min,
-        };
-        (slabs, time)
+            t_min: simd.eight(t_min),
+        }
     }
 
     /// A bit for each of the boxes that the ray may meet from its start to

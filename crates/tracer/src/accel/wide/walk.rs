@@ -1,7 +1,7 @@
 //! The way of a ray through the hierarchy, nearest boxes first.
 
 use super::node::{Leaf, Node};
-use super::slabs::Slabs;
+use super::slabs::{Slabs, TimeScale};
 use super::{STACK, Wide};
 use crate::meter::{Event, Meter};
 use crate::simd::{Eight, Room, Simd, Stack};
@@ -12,26 +12,16 @@ pub(crate) trait Visitor {
     /// closer.
     const ANY: bool;
 
+    /// Hears how the slabs' parameter follows from the ray's.
+    #[inline(always)]
+    fn start(&mut self, _: TimeScale) {}
+
     /// Looks at a leaf; may lower `t_max`, in the slabs' parameter, behind which
     /// nothing is of use. Returns true to end the walk.
     fn visit(&mut self, leaf: Leaf, t_max: &mut f32) -> bool;
 
     /// Hears of a leaf that it will probably be shown soon.
     fn expect(&self, leaf: Leaf);
-}
-
-impl<V: Visitor> Visitor for &mut V {
-    const ANY: bool = V::ANY;
-
-    #[inline(always)]
-    fn visit(&mut self, leaf: Leaf, t_max: &mut f32) -> bool {
-        (**self).visit(leaf, t_max)
-    }
-
-    #[inline(always)]
-    fn expect(&self, leaf: Leaf) {
-        (**self).expect(leaf);
-    }
 }
 
 /// A box that waits: where the ray enters it, above what is in it. Where that is
@@ -99,14 +89,14 @@ impl Wide {
     /// The child whose box is entered first; the others of `met` are put on the
     /// stack, the farthest first.
     #[inline(always)]
-    fn nearest<S: Simd>(
+    fn nearest<S: Simd, V: Visitor>(
         &self,
         simd: S,
         node: &Node,
         met: u32,
         enter: S::F8,
         stack: &mut Stack<'_, Pending>,
-        visitor: &impl Visitor,
+        visitor: &V,
     ) -> Option<u32> {
         if met == 0 {
             return None;
@@ -116,6 +106,19 @@ impl Wide {
         let rest = met & (met - 1);
         if rest == 0 {
             return Some(node.children[lowest(met)]);
+        }
+        if V::ANY {
+            // Any hit will do, and those near the start are no likelier.
+            let mut rest = met;
+            loop {
+                let child = node.children[lowest(rest)];
+                rest &= rest - 1;
+                if rest == 0 {
+                    return Some(child);
+                }
+                self.expect(simd, child, visitor);
+                stack.push(Pending::from(child));
+            }
         }
         let enter = enter.to_array();
         let waiting = |bits: u32| {

@@ -1,11 +1,10 @@
 //! `Sight`: a ray ready for blocks of triangles, and what it sees of one.
 
-use super::super::triangle::Axis;
 use super::blocks::{Block, Number};
 use super::precision::Precision;
 use crate::Ray;
 use crate::math::{Real, UNIT_ROUNDOFF, max_abs};
-use crate::simd::{Four, Simd};
+use crate::simd::{Axis, Four, Simd};
 
 use glam::DVec3;
 
@@ -65,17 +64,17 @@ impl<S: Simd, P: Precision> Sight<S, P> {
         let axes @ [kx, ky, kz] = Axis::from_longest(&direction);
         let farthest = max_abs(ray.origin - middle) + half;
         let doubt = P::DOUBT * farthest * farthest;
-        let time = 1.0 / kz.of(&direction);
+        let time = 1.0 / *kz.of(&direction);
         Self {
             axes,
             origin: [
-                P::splat(simd, kx.of(&origin)),
-                P::splat(simd, ky.of(&origin)),
-                P::splat(simd, kz.of(&origin)),
+                P::splat(simd, *kx.of(&origin)),
+                P::splat(simd, *ky.of(&origin)),
+                P::splat(simd, *kz.of(&origin)),
             ],
             slopes: [
-                P::splat(simd, kx.of(&direction) * time),
-                P::splat(simd, ky.of(&direction) * time),
+                P::splat(simd, *kx.of(&direction) * time),
+                P::splat(simd, *ky.of(&direction) * time),
             ],
             doubt: P::splat(simd, doubt),
             minus_doubt: P::splat(simd, -doubt),
@@ -88,9 +87,9 @@ impl<S: Simd, P: Precision> Sight<S, P> {
     #[inline(always)]
     fn moved<T: Number>(&self, simd: S, corner: &[[T; 4]; 3]) -> [P::Lanes<S>; 3] {
         let ([kx, ky, kz], [x, y, z], [sx, sy]) = (self.axes, self.origin, self.slopes);
-        let z = T::load::<S, P>(simd, kz.of_ref(corner)) - z;
-        let x = T::load::<S, P>(simd, kx.of_ref(corner)) - x;
-        let y = T::load::<S, P>(simd, ky.of_ref(corner)) - y;
+        let z = T::load::<S, P>(simd, kz.of(corner)) - z;
+        let x = T::load::<S, P>(simd, kx.of(corner)) - x;
+        let y = T::load::<S, P>(simd, ky.of(corner)) - y;
         [x.minus_product(sx, z), y.minus_product(sy, z), z]
     }
 

@@ -131,26 +131,21 @@ impl Mesh {
 
 /// Shows the visitor what the ray may meet of the mesh.
 #[inline(always)]
-fn show<S: Simd, V: Visitor, M: Meter>(
-    simd: S,
-    question: &Question<'_, M>,
-    visitor: impl FnOnce(TimeScale) -> V,
-) -> V {
+fn show<S: Simd, V: Visitor, M: Meter>(simd: S, question: &Question<'_, M>, visitor: &mut V) {
     let Question { mesh, ray, range, meter, .. } = question;
     if let Order::Wide(wide) = &mesh.order {
-        return wide.walk_ray(simd, ray, *range, *meter, visitor).1;
+        wide.walk_ray(simd, ray, *range, *meter, visitor);
+        return;
     }
-    let mut visitor = visitor(TimeScale::ANY);
     let mut t_max = f32::INFINITY;
     for place in 0..mesh.blocks.len() as u32 {
         if visitor.visit(Leaf::new(place, 1), &mut t_max) {
             break;
         }
     }
-    visitor
 }
 
-/// Calls `$make::<precision, number>(blocks)` for what the mesh is stored as.
+/// Calls a function that has a precision and a number of storage for the mesh's.
 macro_rules! by_storage {
     ($mesh:expr, $call:ident $(::<$more:ty>)? ($($arg:expr),*)) => {
         match (&$mesh.blocks, $mesh.is_fast) {
@@ -167,11 +162,15 @@ fn closest<S: Simd, P: Precision, T: Number, M: Meter>(
     question: &Question<'_, M>,
     blocks: &[Block<T>],
 ) -> Known {
-    let sight = question.sight::<S, P>(simd);
-    let visitor = show(simd, question, |time| {
-        let best = Best::nothing(question.range);
-        Closest { simd, question, sight, blocks, time, best }
-    });
+    let mut visitor = Closest {
+        simd,
+        question,
+        sight: question.sight::<S, P>(simd),
+        blocks,
+        time: TimeScale::ANY,
+        best: Best::nothing(question.range),
+    };
+    show(simd, question, &mut visitor);
     visitor.best.known
 }
 
@@ -219,7 +218,9 @@ fn any<S: Simd, P: Precision, T: Number, M: Meter>(
     blocks: &[Block<T>],
 ) -> Option<u32> {
     let sight = question.sight::<S, P>(simd);
-    show(simd, question, |_| Any { simd, question, sight, blocks, found: None }).found
+    let mut visitor = Any { simd, question, sight, blocks, found: None };
+    show(simd, question, &mut visitor);
+    visitor.found
 }
 
 #[inline(always)]
@@ -229,7 +230,9 @@ fn crossed<S: Simd, P: Precision, T: Number, M: Meter>(
     blocks: &[Block<T>],
 ) -> Vec<u32> {
     let sight = question.sight::<S, P>(simd);
-    show(simd, question, |_| All { simd, question, sight, blocks, found: Vec::new() }).found
+    let mut visitor = All { simd, question, sight, blocks, found: Vec::new() };
+    show(simd, question, &mut visitor);
+    visitor.found
 }
 
 impl<M: Meter> Question<'_, M> {

@@ -135,6 +135,11 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
     const ANY: bool = false;
 
     #[inline(always)]
+    fn start(&mut self, time: TimeScale) {
+        self.time = time;
+    }
+
+    #[inline(always)]
     fn visit(&mut self, leaf: Leaf, t_max: &mut f32) -> bool {
         let place = leaf.place();
         let block = &self.blocks[place];

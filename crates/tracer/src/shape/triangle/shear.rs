@@ -8,40 +8,8 @@ use crate::math::{
     Long, Real, UNIT_ROUNDOFF, determinant, difference_of_products, long_product, long_quotient,
     long_sum, max_abs, power_of_two_below, two_sum,
 };
+use crate::simd::Axis;
 use crate::{Interval, Ray};
-
-/// One of the three axes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Axis {
-    X,
-    Y,
-    Z,
-}
-
-impl Axis {
-    /// The axis along which a direction is longest, last, and the other two, in
-    /// a cycle. Without a branch: it is as good as random.
-    #[inline(always)]
-    pub(in super::super) fn from_longest(direction: &[f64; 3]) -> [Self; 3] {
-        use Axis::{X, Y, Z};
-        let [x, y, z] = [direction[0].abs(), direction[1].abs(), direction[2].abs()];
-        let is_x = usize::from(x >= y) & usize::from(x >= z);
-        let is_z = usize::from(!(y >= z)) & (1 - is_x);
-        [[Z, X, Y], [X, Y, Z], [Y, Z, X]][is_z + 2 * is_x]
-    }
-
-    /// This axis of a point.
-    #[inline(always)]
-    pub(in super::super) fn of<T: Copy>(self, point: &[T; 3]) -> T {
-        *self.of_ref(point)
-    }
-
-    /// This axis of something that has three.
-    #[inline(always)]
-    pub(in super::super) fn of_ref<T>(self, point: &[T; 3]) -> &T {
-        &point[self as usize]
-    }
-}
 
 /// A ray made ready for many triangles: the map that takes it to the positive
 /// z axis through the origin.
@@ -190,8 +158,8 @@ impl Shear {
     pub(in super::super) fn new(ray: &Ray) -> Self {
         let (p, d) = (ray.origin.to_array(), ray.direction.to_array());
         let axes @ [kx, ky, kz] = Axis::from_longest(&d);
-        let p = [kx.of(&p), ky.of(&p), kz.of(&p)];
-        let d = [kx.of(&d), ky.of(&d), kz.of(&d)];
+        let p = [*kx.of(&p), *ky.of(&p), *kz.of(&p)];
+        let d = [*kx.of(&d), *ky.of(&d), *kz.of(&d)];
         // A direction that is zero or not finite makes everything NaN: a miss.
         let scale = 1.0 / power_of_two_below(d[2].abs()).unwrap_or(f64::NAN);
         // Against the direction, or else towards the origin's plane: a
@@ -222,7 +190,7 @@ impl Shear {
         let mut m = 0.0_f64;
         let [a, b, c] = corners.map(|corner| {
             let corner = corner.to_array();
-            let [x, y, z] = [0, 1, 2].map(|k| self.axes[k].of(&corner) - self.line.origin[k]);
+            let [x, y, z] = [0, 1, 2].map(|k| *self.axes[k].of(&corner) - self.line.origin[k]);
             m = m.max(max_abs(DVec3::new(x, y, z)));
             [x - sx * z, y - sy * z]
         });
@@ -242,16 +210,16 @@ impl Shear {
     #[inline(always)]
     fn turn(&self, corner: DVec3) -> [f64; 3] {
         let (corner, [kx, ky, kz]) = (corner.to_array(), self.axes);
-        [kx.of(&corner), ky.of(&corner), kz.of(&corner)]
+        [*kx.of(&corner), *ky.of(&corner), *kz.of(&corner)]
     }
 
     /// A corner that was turned along the axes.
     pub(in super::super) fn turned_back(&self, corner: [f64; 3]) -> DVec3 {
-        let mut back = DVec3::ZERO;
+        let mut back = [0.0; 3];
         for (axis, x) in self.axes.into_iter().zip(corner) {
-            back[axis as usize] = x;
+            *axis.of_mut(&mut back) = x;
         }
-        back
+        DVec3::from_array(back)
     }
 
     /// The ray along its axes, and one over the power of two that its direction
