@@ -3,6 +3,7 @@
 
 mod bars;
 mod check;
+mod files;
 mod image;
 mod inputs;
 mod instructions;
