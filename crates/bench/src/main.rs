@@ -1,7 +1,12 @@
 //! `bench`: goldray measured on this machine, alone and beside its peers; run
 //! as `cargo xtask bench`.
 
+mod clock;
+mod files;
 mod image;
+mod meshes;
+mod peers;
+mod stats;
 mod trace;
 
 use std::process::ExitCode;
@@ -22,12 +27,15 @@ enum What {
     Trace(trace::Args),
     /// Seconds to a picture of a given error, beside other renderers
     Image(image::Args),
+    /// Other people's tracers and meshes: what is there; `--install` fetches them
+    Peers(peers::Args),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().what {
         What::Trace(args) => trace::run(&args),
         What::Image(args) => image::run(&args),
+        What::Peers(args) => peers::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,0 +1,84 @@
+//! One measurement: engines by turns over the same rays, each timed by its
+//! thread's CPU time, and what they answered held against the exact answers.
+
+use super::engine::Named;
+use super::rays::{Query, RaySet};
+use crate::clock;
+use crate::stats::Summary;
+
+/// A `t` that is farther from the exact one than this part of it is wrong.
+const WRONG_PART: f64 = 1e-3;
+const MILLION: f64 = 1e6;
+
+/// What one engine did with one set.
+#[derive(Debug, Clone)]
+pub(crate) struct Measured {
+    pub(crate) engine: &'static str,
+    /// Millions of rays a second.
+    pub(crate) mrays_s: Summary,
+    pub(crate) wrong: usize,
+}
+
+/// Measures the engines on a set of at least one ray. In every repetition each
+/// has a turn, and another one is the first; a repetition before the first
+/// warms up and is not counted.
+pub(crate) fn measure(
+    engines: &mut [Named],
+    set: &RaySet,
+    reference: &[Option<f64>],
+    reps: usize,
+) -> Vec<Measured> {
+    let count = engines.len();
+    let mut speeds = vec![Vec::new(); count];
+    let mut wrong = vec![0; count];
+    for rep in 0..=reps {
+        for turn in 0..count {
+            let number = (turn + rep) % count;
+            let engine = &mut engines[number].1;
+            engine.load(set);
+            let start = clock::thread_seconds();
+            engine.trace();
+            let seconds = clock::thread_seconds() - start;
+            if rep == 0 {
+                wrong[number] = count_wrong(&engine.answers(), reference, set.query);
+            } else {
+                speeds[number].push(set.rays.len() as f64 / seconds / MILLION);
+            }
+        }
+    }
+    let measured = engines.iter().zip(speeds).zip(wrong);
+    let measured = measured.filter_map(|((engine, speeds), wrong)| {
+        Some(Measured { engine: engine.0, mrays_s: Summary::of(&speeds)?, wrong })
+    });
+    measured.collect()
+}
+
+/// How many answers are another than the exact one: a hit for a miss or the
+/// other way round, or a hit elsewhere.
+pub(crate) fn count_wrong(
+    answers: &[Option<f64>],
+    reference: &[Option<f64>],
+    query: Query,
+) -> usize {
+    let is_wrong = |(answer, exact): (&Option<f64>, &Option<f64>)| match (answer, exact) {
+        (None, None) => false,
+        (Some(t), Some(exact)) => {
+            query == Query::Closest && !((t - exact).abs() <= WRONG_PART * exact.abs())
+        }
+        _ => true,
+    };
+    answers.iter().zip(reference).filter(|&pair| is_wrong(pair)).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_is_counted() {
+        let exact = [None, Some(2.0), Some(2.0), None, Some(2.0), Some(2.0)];
+        let answers = [None, Some(2.001), Some(2.1), Some(1.0), None, Some(f64::NAN)];
+        assert_eq!(count_wrong(&answers, &exact, Query::Closest), 4);
+        assert_eq!(count_wrong(&answers, &exact, Query::Any), 2, "any hit may be any");
+    }
+}
