@@ -107,7 +107,10 @@ pub(crate) fn dragon_folder() -> PathBuf {
 pub(crate) fn kitchen() -> Option<PathBuf> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut ask = Command::new(cargo);
-    ask.args(["metadata", "--format-version", "1", "--offline", "--locked", "--manifest-path"]);
+    ask.args(["metadata", "--format-version", "1", "--offline", "--locked"]);
+    // Other systems' crates are not there without the network.
+    let host = format!("{}-unknown-linux-gnu", std::env::consts::ARCH);
+    ask.args(["--filter-platform", &host, "--manifest-path"]);
     ask.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
     let answer = ask.output().ok().filter(|answer| answer.status.success())?;
     let metadata: serde_json::Value = serde_json::from_slice(&answer.stdout).ok()?;

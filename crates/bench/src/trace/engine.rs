@@ -1,10 +1,10 @@
 //! What every tracer of the bench can do, and making those asked for by name.
 
-use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::rc::Rc;
 
 use super::rays::RaySet;
-use super::{embree, goldray};
+use super::{embree, goldray, peer};
 use crate::meshes::TriangleMesh;
 use crate::peers;
 
@@ -22,10 +22,15 @@ pub(crate) trait Engine {
     /// What it found, in the set's order: `t`, or any number for a ray of which
     /// only was asked whether it hits; `None` for a miss.
     fn answers(&self) -> Vec<Option<f64>>;
+
+    /// The bytes that it holds, if it counts them itself.
+    fn bytes(&self) -> Option<usize> {
+        None
+    }
 }
 
 /// Every engine, in the order of the tables.
-pub(crate) const NAMES: [&str; 10] = [
+pub(crate) const NAMES: [&str; 13] = [
     "goldray-accurate",
     "goldray-accurate-single",
     "goldray-fast",
@@ -36,50 +41,87 @@ pub(crate) const NAMES: [&str; 10] = [
     "embree4-robust",
     "embree4-packet16",
     "embree3",
+    "obvhs",
+    "bvh",
+    "parry3d",
 ];
 
 /// The engine that ratios are to.
 pub(crate) const BAR: &str = "embree4-avx2";
 
+/// The engines that share another's hierarchy, which is built and counted there.
+pub(crate) const SHARING: [&str; 3] =
+    ["goldray-accurate-single", "goldray-fast-single", "embree4-packet16"];
+
 /// A made engine and its name.
 pub(crate) type Named = (&'static str, Box<dyn Engine>);
 
-/// The engines of these names over a mesh, and why each of the others is
-/// missing.
-///
-/// # Errors
-/// A mesh that goldray refuses.
+/// A mesh that is ready to build: calling it is what building costs.
+pub(crate) type Job = Box<dyn FnOnce() -> Result<Box<dyn Engine>, String>>;
+
+/// Other people's libraries, opened, or why they are not.
+pub(crate) struct Libraries {
+    embree4: Result<Rc<embree::Library>, String>,
+    embree3: Result<Rc<embree::Library>, String>,
+}
+
+impl Libraries {
+    pub(crate) fn open() -> Self {
+        let open = |path: Option<PathBuf>, what: &str| {
+            let missing = || format!("{what} is not installed: cargo xtask bench peers --install");
+            embree::Library::open(&path.ok_or_else(missing)?)
+        };
+        Self {
+            embree4: open(peers::embree4(), "the library of the wheel embreex"),
+            embree3: open(peers::embree3(), "libembree3.so.3"),
+        }
+    }
+
+    /// The libraries' versions by name, of those that are there.
+    pub(crate) fn versions(&self) -> Vec<String> {
+        let libraries = [&self.embree4, &self.embree3].into_iter().flatten();
+        libraries.map(|library| format!("Embree {}", library.version)).collect()
+    }
+
+    /// What builds the engine of this name on so many threads.
+    ///
+    /// # Errors
+    /// A library that is missing, a mesh that is refused, and an engine that
+    /// builds on one thread only.
+    pub(crate) fn prepare(
+        &self,
+        name: &str,
+        threads: usize,
+        mesh: &TriangleMesh,
+    ) -> Result<Job, String> {
+        if let Some(setting) = embree::Setting::named(name) {
+            let library = if name == "embree3" { &self.embree3 } else { &self.embree4 };
+            return setting.prepare(library.as_ref().map_err(Clone::clone)?, threads, mesh);
+        }
+        if let Some(build) = goldray::build_named(name) {
+            return goldray::prepare(mesh, build, threads);
+        }
+        if threads == 1 { peer::prepare(name, mesh) } else { Err("builds on one thread".into()) }
+    }
+}
+
+/// The engines of these names over a mesh; of each that cannot be made, why.
 pub(crate) fn make(
     names: &[&'static str],
     mesh: &TriangleMesh,
     goldray: &goldray::Meshes,
-) -> (Vec<Named>, BTreeMap<&'static str, String>) {
-    let embree4 = peers::embree4().ok_or_else(|| missing("embreex's libembree4"));
-    let embree4 = embree4.and_then(|path| embree::Library::open(&path));
-    let embree3 = peers::embree3().ok_or_else(|| missing("libembree3.so.3"));
-    let embree3 = embree3.and_then(|path| embree::Library::open(&path));
-    let (mut made, mut left_out) = (Vec::new(), BTreeMap::new());
+    libraries: &Libraries,
+) -> (Vec<Named>, Vec<(&'static str, String)>) {
+    let (mut made, mut left_out) = (Vec::new(), Vec::new());
     for &name in names {
-        let engine: Result<Box<dyn Engine>, String> = if let Some(engine) = goldray.engine(name) {
-            Ok(Box::new(engine))
-        } else if let Some(setting) = embree::Setting::named(name) {
-            let library = if name == "embree3" { &embree3 } else { &embree4 };
-            library.clone().and_then(|library: Rc<_>| {
-                Ok(Box::new(embree::Embree::new(&library, setting, mesh)?) as Box<dyn Engine>)
-            })
-        } else {
-            Err("is unknown".to_owned())
+        let engine = match goldray.engine(name) {
+            Some(engine) => Ok(Box::new(engine) as Box<dyn Engine>),
+            None => libraries.prepare(name, 1, mesh).and_then(|job| job()),
         };
         match engine {
             Ok(engine) => made.push((name, engine)),
-            Err(why) => {
-                left_out.insert(name, why);
-            }
+            Err(why) => left_out.push((name, why)),
         }
     }
     (made, left_out)
-}
-
-fn missing(what: &str) -> String {
-    format!("{what} is not installed: cargo xtask bench peers --install")
 }

@@ -7,7 +7,7 @@ use tracer::glam::DVec3;
 use tracer::shape::{Contact, Geometry, Mesh};
 use tracer::{Interval, Ray};
 
-use super::engine::Engine;
+use super::engine::{Engine, Job};
 use super::rays::{Query, RaySet};
 use crate::meshes::TriangleMesh;
 
@@ -55,9 +55,39 @@ impl Meshes {
 /// # Errors
 /// What the tracer refuses of it.
 pub(crate) fn build(mesh: &TriangleMesh, build: Build) -> Result<Mesh, String> {
-    let vertices = mesh.vertices.iter().map(|v| DVec3::from_array(v.map(f64::from))).collect();
-    let made = Mesh::new(vertices, mesh.faces.clone(), None, build);
+    made(corners(mesh), mesh.faces.clone(), build)
+}
+
+fn corners(mesh: &TriangleMesh) -> Vec<DVec3> {
+    mesh.vertices.iter().map(|v| DVec3::from_array(v.map(f64::from))).collect()
+}
+
+fn made(vertices: Vec<DVec3>, faces: Vec<[u32; 3]>, build: Build) -> Result<Mesh, String> {
+    let made = Mesh::new(vertices, faces, None, build);
     made.map_err(|why| format!("goldray refuses the mesh: {why}"))
+}
+
+/// Which hierarchy the engine of this name has, if it is one of goldray's.
+pub(crate) fn build_named(name: &str) -> Option<Build> {
+    match name {
+        "goldray-accurate" | "goldray-accurate-single" => Some(Build::Bvh),
+        "goldray-fast" | "goldray-fast-single" => Some(Build::Fast),
+        _ => None,
+    }
+}
+
+/// What builds a mesh on so many threads.
+///
+/// # Errors
+/// Threads that cannot be made.
+pub(crate) fn prepare(mesh: &TriangleMesh, build: Build, threads: usize) -> Result<Job, String> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|why| format!("{threads} threads: {why}"))?;
+    let (vertices, faces) = (corners(mesh), mesh.faces.clone());
+    Ok(Box::new(move || {
+        let mesh = pool.install(|| made(vertices, faces, build))?;
+        Ok(Box::new(Goldray::new(Rc::new(mesh), false)))
+    }))
 }
 
 /// One way of asking goldray.

@@ -5,6 +5,7 @@ mod embree;
 mod engine;
 mod goldray;
 mod measure;
+mod peer;
 mod rays;
 mod report;
 mod table;
@@ -13,6 +14,7 @@ use std::path::PathBuf;
 
 use tracer::shape::{Geometry, Mesh};
 
+use self::engine::Libraries;
 use self::rays::{Kind, RaySet};
 use self::report::{Report, Row, SCHEMA};
 use crate::files;
@@ -46,9 +48,10 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     let names = engine_names(&args.engines)?;
     let machine = files::machine();
     let mut report = Report { schema: SCHEMA, machine, rows: Vec::new() };
+    let libraries = Libraries::open();
     for name in &args.scenes {
         match meshes::named(name)? {
-            Some(scene) => measure_scene(args, &scene, &names, &mut report)?,
+            Some(scene) => measure_scene(args, &scene, &names, &libraries, &mut report)?,
             None => eprintln!("{name}: left out, not installed: cargo xtask bench peers --install"),
         }
     }
@@ -74,10 +77,11 @@ fn measure_scene(
     args: &Args,
     scene: &SceneMesh,
     names: &[&'static str],
+    libraries: &Libraries,
     report: &mut Report,
 ) -> Result<(), String> {
     let goldray = goldray::Meshes::new(names, &scene.mesh)?;
-    let (mut engines, left_out) = engine::make(names, &scene.mesh, &goldray);
+    let (mut engines, left_out) = engine::make(names, &scene.mesh, &goldray, libraries);
     for (name, why) in left_out {
         eprintln!("{name}: left out: {why}");
     }

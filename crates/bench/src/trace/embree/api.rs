@@ -6,6 +6,7 @@
 #![allow(unsafe_code)]
 
 use std::ffi::{CString, c_char, c_int, c_void};
+use std::mem::ManuallyDrop;
 use std::path::Path;
 use std::ptr;
 use std::rc::Rc;
@@ -85,15 +86,16 @@ struct Functions {
 
 type MemoryMonitor = unsafe extern "C" fn(*mut c_void, isize, bool) -> bool;
 
-/// An Embree library, kept open as long as anything made by it lives.
+/// An Embree library, open until the process ends.
 pub(crate) struct Library {
     functions: Functions,
     /// 3 or 4.
     generation: isize,
     /// Major, minor and patch.
     pub(crate) version: String,
-    // After the functions, which are dropped first and point into it.
-    _library: libloading::Library,
+    // Never closed: worker threads of its scheduler run its code until the
+    // process ends.
+    _library: ManuallyDrop<libloading::Library>,
 }
 
 impl Library {
@@ -112,8 +114,8 @@ impl Library {
             ($name:literal) => {{
                 // SAFETY: the type is that of the field it is put into, which
                 // is the header's declaration of this name, the same in both
-                // versions; `open` refuses others below. The pointer is not
-                // used after the library is closed: both lie in `Self`.
+                // versions; `open` refuses others below. The library
+                // is closed only where `open` fails, and the pointer with it.
                 *unsafe { library.get(concat!($name, "\0").as_bytes()) }.map_err(|why| at(&why))?
             }};
         }
@@ -151,7 +153,7 @@ impl Library {
             return Err(at(&format!("expected Embree 3 or 4, found {version}")));
         }
         let version = format!("{generation}.{minor}.{patch}");
-        Ok(Rc::new(Self { functions, generation, version, _library: library }))
+        Ok(Rc::new(Self { functions, generation, version, _library: ManuallyDrop::new(library) }))
     }
 }
 
@@ -180,12 +182,12 @@ unsafe extern "C" fn count_bytes(total: *mut c_void, bytes: isize, _: bool) -> b
 }
 
 impl Scene {
-    /// Builds a scene of these triangles, on a device made by this
-    /// configuration, as `threads=1,isa=avx2`.
+    /// A scene of these triangles that is ready to commit, on a device made by
+    /// this configuration, as `threads=1,isa=avx2`.
     ///
     /// # Errors
     /// What Embree's error number is, where it refuses.
-    pub(crate) fn build(
+    pub(crate) fn prepare(
         library: &Rc<Library>,
         configuration: &str,
         quality: Quality,
@@ -224,12 +226,27 @@ impl Scene {
             (f.set_quality)(scene, if quality.is_high { HIGH } else { MEDIUM });
             (f.attach)(scene, geometry);
             (f.release_geometry)(geometry);
-            (f.commit_scene)(scene);
             let made = Self { library: library.clone(), device, scene, bytes };
-            match (f.device_error)(device) {
-                0 => Ok(made),
-                error => Err(format!("Embree refuses the mesh: its error {error}")),
-            }
+            made.refused().map(|()| made)
+        }
+    }
+
+    /// Builds the hierarchy, without which nothing may be sent.
+    ///
+    /// # Errors
+    /// What Embree's error number is, where it refuses.
+    pub(crate) fn commit(&self) -> Result<(), String> {
+        // SAFETY: the scene is live, and nothing else uses it meanwhile: it is
+        // not `Sync`.
+        unsafe { (self.library.functions.commit_scene)(self.scene) };
+        self.refused()
+    }
+
+    fn refused(&self) -> Result<(), String> {
+        // SAFETY: the device is live.
+        match unsafe { (self.library.functions.device_error)(self.device) } {
+            0 => Ok(()),
+            error => Err(format!("Embree refuses the mesh: its error {error}")),
         }
     }
 
@@ -253,7 +270,8 @@ impl Scene {
         let context = ptr::from_mut(&mut context).cast::<c_void>();
         for ray in rays {
             let ray = ptr::from_mut(ray).cast::<c_void>();
-            // SAFETY: the scene is committed. `ray` is a record of the kind that
+            // SAFETY: the scene is committed by `Embree`, which alone
+            // sends rays. `ray` is a record of the kind that
             // the function wants, by the two callers above, aligned and
             // exclusively ours. Version 3 takes a context before it, version 4
             // arguments after it, which may be null.
