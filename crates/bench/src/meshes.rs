@@ -100,7 +100,7 @@ fn read_if_there(path: &Path) -> Result<Option<TriangleMesh>, String> {
         return Ok(None);
     };
     let name = path.to_string_lossy();
-    let mesh = read::by_name(&name, bytes);
+    let mesh = read::by_name(&name, &bytes);
     mesh.map(Some).map_err(|why| {
         format!("{name}: {why}; install it again: cargo xtask bench peers --install")
     })

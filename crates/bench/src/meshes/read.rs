@@ -13,24 +13,24 @@ use super::TriangleMesh;
 ///
 /// # Errors
 /// What is wrong, as the end of a sentence that starts with the file's name.
-pub(super) fn by_name(name: &str, bytes: Vec<u8>) -> Result<TriangleMesh, String> {
+pub(super) fn by_name(name: &str, bytes: &[u8]) -> Result<TriangleMesh, String> {
     let unreadable = |why: &dyn std::fmt::Display| format!("is not readable: {why}");
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let mut unpacked = Vec::new();
     match ending {
         "gz" => {
-            GzDecoder::new(&*bytes).read_to_end(&mut unpacked).map_err(|why| unreadable(&why))?;
-            by_name(stem, unpacked)
+            GzDecoder::new(bytes).read_to_end(&mut unpacked).map_err(|why| unreadable(&why))?;
+            by_name(stem, &unpacked)
         }
         "zst" => {
-            let mut packed = &*bytes;
+            let mut packed = bytes;
             let decoder = ruzstd::decoding::StreamingDecoder::new(&mut packed);
             let mut decoder = decoder.map_err(|why| unreadable(&why))?;
             decoder.read_to_end(&mut unpacked).map_err(|why| unreadable(&why))?;
-            by_name(stem, unpacked)
+            by_name(stem, &unpacked)
         }
-        "ply" => ply(&bytes),
-        "obj" => obj(&bytes),
+        "ply" => ply(bytes),
+        "obj" => obj(bytes),
         _ => Err("expected a name that ends in .ply or .obj, or in one of these and .gz or .zst"
             .to_owned()),
     }
@@ -148,21 +148,21 @@ mod tests {
 
     #[test]
     fn polygons_become_fans() {
-        let mesh = by_name("a.ply", TETRAHEDRON.into()).unwrap();
+        let mesh = by_name("a.ply", TETRAHEDRON.as_bytes()).unwrap();
         assert_eq!(mesh.vertices[3], [0.0, 1.0, 0.5]);
         assert_eq!(mesh.faces, [[0, 1, 2], [0, 2, 3], [0, 2, 1]]);
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-        assert_eq!(by_name("a.obj", square.into()).unwrap().faces.len(), 2);
+        assert_eq!(by_name("a.obj", square.as_bytes()).unwrap().faces.len(), 2);
     }
 
     #[test]
     fn what_is_wrong_is_said() {
-        let wrong = |name: &str, text: String| by_name(name, text.into()).unwrap_err();
-        assert!(wrong("a.stl", String::new()).starts_with("expected a name that ends in"));
-        assert!(wrong("a.ply.gz", "no gzip".into()).starts_with("is not readable"));
+        let wrong = |name: &str, text: &str| by_name(name, text.as_bytes()).unwrap_err();
+        assert!(wrong("a.stl", "").starts_with("expected a name that ends in"));
+        assert!(wrong("a.ply.gz", "no gzip").starts_with("is not readable"));
         let far = TETRAHEDRON.replace("3 0 2 1", "3 0 2 7");
-        assert_eq!(wrong("a.ply", far), "expected numbers of its 4 corners, found 7");
+        assert_eq!(wrong("a.ply", &far), "expected numbers of its 4 corners, found 7");
         let no_height = TETRAHEDRON.replace("property float z", "property float w");
-        assert!(wrong("a.ply", no_height).contains("finite"));
+        assert!(wrong("a.ply", &no_height).contains("finite"));
     }
 }

@@ -40,7 +40,8 @@ pub(crate) fn measure(
             engine.trace();
             let seconds = clock::thread_seconds() - start;
             if rep == 0 {
-                wrong[number] = count_wrong(&engine.answers(), reference, set.query);
+                let found = count_wrong(&engine.answers(), reference, set.query);
+                wrong[number] = found.total();
             } else {
                 speeds[number].push(set.rays.len() as f64 / seconds / MILLION);
             }
@@ -53,21 +54,40 @@ pub(crate) fn measure(
     measured.collect()
 }
 
-/// How many answers are another than the exact one: a hit for a miss or the
-/// other way round, or a hit elsewhere.
+/// Answers that are another than the exact one.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Wrong {
+    /// A hit for a miss, or the other way round.
+    pub(crate) hit_or_miss: usize,
+    /// A hit at another `t`.
+    pub(crate) elsewhere: usize,
+}
+
+impl Wrong {
+    pub(crate) fn total(self) -> usize {
+        self.hit_or_miss + self.elsewhere
+    }
+}
+
+/// Counts the answers that are wrong; of a ray of which only was asked whether
+/// it hits, `t` is none.
 pub(crate) fn count_wrong(
     answers: &[Option<f64>],
     reference: &[Option<f64>],
     query: Query,
-) -> usize {
-    let is_wrong = |(answer, exact): (&Option<f64>, &Option<f64>)| match (answer, exact) {
-        (None, None) => false,
-        (Some(t), Some(exact)) => {
-            query == Query::Closest && !((t - exact).abs() <= WRONG_PART * exact.abs())
+) -> Wrong {
+    let mut wrong = Wrong::default();
+    for pair in answers.iter().zip(reference) {
+        match pair {
+            (None, None) => {}
+            (Some(t), Some(exact)) => {
+                let is_near = (t - exact).abs() <= WRONG_PART * exact.abs();
+                wrong.elsewhere += usize::from(query == Query::Closest && !is_near);
+            }
+            _ => wrong.hit_or_miss += 1,
         }
-        _ => true,
-    };
-    answers.iter().zip(reference).filter(|&pair| is_wrong(pair)).count()
+    }
+    wrong
 }
 
 #[cfg(test)]
@@ -76,9 +96,10 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_counted() {
+        let wrong = |hit_or_miss, elsewhere| Wrong { hit_or_miss, elsewhere };
         let exact = [None, Some(2.0), Some(2.0), None, Some(2.0), Some(2.0)];
         let answers = [None, Some(2.001), Some(2.1), Some(1.0), None, Some(f64::NAN)];
-        assert_eq!(count_wrong(&answers, &exact, Query::Closest), 4);
-        assert_eq!(count_wrong(&answers, &exact, Query::Any), 2, "any hit may be any");
+        assert_eq!(count_wrong(&answers, &exact, Query::Closest), wrong(2, 2));
+        assert_eq!(count_wrong(&answers, &exact, Query::Any), wrong(2, 0), "any hit may be any");
     }
 }

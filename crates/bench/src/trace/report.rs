@@ -13,7 +13,50 @@ pub(crate) const SCHEMA: u32 = 1;
 pub(crate) struct Report {
     pub(crate) schema: u32,
     pub(crate) machine: String,
+    /// What was measured beside goldray, with versions.
+    pub(crate) peers: Vec<String>,
     pub(crate) rows: Vec<Row>,
+    pub(crate) builds: Vec<Build>,
+    pub(crate) aimed: Vec<Aimed>,
+    /// How many rays' exact answers were looked at twice, and how many of them
+    /// a walk over all triangles answers otherwise.
+    pub(crate) checked: Checked,
+}
+
+/// Exact answers beside those of a walk over all triangles.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct Checked {
+    pub(crate) rays: usize,
+    pub(crate) differ: usize,
+}
+
+/// Building one engine's hierarchy over one mesh.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Build {
+    pub(crate) scene: String,
+    pub(crate) triangles: usize,
+    pub(crate) engine: String,
+    pub(crate) threads: usize,
+    /// CPU milliseconds of all threads together: the median, and the least and
+    /// the most.
+    pub(crate) cpu_ms: f64,
+    pub(crate) spread: [f64; 2],
+    /// Bytes for each triangle that it keeps, its copy of the mesh with them.
+    pub(crate) bytes_per_triangle: f64,
+}
+
+/// Rays through edges and corners, on one engine.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Aimed {
+    pub(crate) scene: String,
+    /// From where, at what.
+    pub(crate) rays: String,
+    pub(crate) count: usize,
+    pub(crate) engine: String,
+    /// Hits for misses and the other way round.
+    pub(crate) hit_or_miss: usize,
+    /// Hits elsewhere.
+    pub(crate) elsewhere: usize,
 }
 
 /// One engine on one set of rays.
@@ -46,5 +89,16 @@ impl Row {
             spread: [measured.mrays_s.min, measured.mrays_s.max],
             wrong: measured.wrong,
         }
+    }
+}
+
+impl Report {
+    /// All of it as text.
+    ///
+    /// # Errors
+    /// What JSON cannot say.
+    pub(crate) fn json(&self) -> Result<String, String> {
+        let text = serde_json::to_string_pretty(self);
+        text.map(|text| text + "\n").map_err(|why| format!("the report cannot be written: {why}"))
     }
 }

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::engine::BAR;
-use super::report::{Report, Row};
-use crate::stats::geometric_mean;
+use super::report::{Aimed, Build, Report, Row};
+use crate::stats::{geometric_mean, slope};
 
 /// Width of the columns of names and of numbers.
 const NAME: usize = 26;
@@ -84,3 +84,66 @@ pub(crate) fn means(report: &Report) -> String {
     }
     text
 }
+
+/// Building, of one scene.
+pub(crate) fn builds(builds: &[Build]) -> String {
+    let mut text = format!("{:<NAME$}{:>CELL$}{:>CELL$}\n", "built", "CPU ms", "bytes/triangle");
+    for build in builds {
+        let name = format!("{}, {} thr.", build.engine, build.threads);
+        let of_same = |other: &&Build| other.engine == BAR && other.threads == build.threads;
+        let ratio = builds.iter().find(of_same).map(|bar| build.cpu_ms / bar.cpu_ms);
+        let ratio = ratio.map_or(String::new(), |ratio| format!(" {ratio:.2}x"));
+        let ms = format!("{:.1}{ratio}", build.cpu_ms);
+        let _ = writeln!(text, "{name:<NAME$}{ms:>CELL$}{:>CELL$.1}", build.bytes_per_triangle);
+    }
+    text
+}
+
+/// Rays through edges and corners, of one scene.
+pub(crate) fn aimed(aimed: &[Aimed]) -> String {
+    let mut text = String::new();
+    let mut set = "";
+    for row in aimed {
+        if row.rays != set {
+            set = &row.rays;
+            let _ = writeln!(
+                text,
+                "{:<NAME$}{:>CELL$}{:>CELL$}",
+                format!("{} rays from {set}", row.count),
+                "hit or miss",
+                "elsewhere"
+            );
+        }
+        let (engine, missed, moved) = (&row.engine, row.hit_or_miss, row.elsewhere);
+        let _ = writeln!(text, "{engine:<NAME$}{missed:>CELL$}{moved:>CELL$}");
+    }
+    text
+}
+
+/// How the time of a ray grows with the number of triangles, over the generated
+/// balls: the slope of a line through the logarithms, for each engine.
+pub(crate) fn growth(rows: &[Row]) -> String {
+    /// Balls that a line is drawn through.
+    const ENOUGH: usize = 3;
+    let balls: Vec<&Row> = rows.iter().filter(|row| row.scene.starts_with("bumpy-")).collect();
+    let mut text = String::new();
+    let mut done: Vec<(&str, &str)> = Vec::new();
+    for row in &balls {
+        let key = (&*row.engine, &*row.rays);
+        let same = balls.iter().filter(|other| (&*other.engine, &*other.rays) == key);
+        let points: Vec<_> =
+            same.map(|row| ((row.triangles as f64).ln(), -row.mrays_s.ln())).collect();
+        if done.contains(&key) || points.len() < ENOUGH {
+            continue;
+        }
+        done.push(key);
+        if let Some(slope) = slope(&points) {
+            let name = format!("{} {}", row.engine, row.rays);
+            let _ = writeln!(text, "{name:<36} time ~ triangles^{slope:.3}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+pub(super) mod tests;

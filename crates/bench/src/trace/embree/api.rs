@@ -95,7 +95,7 @@ pub(crate) struct Library {
     pub(crate) version: String,
     // Never closed: worker threads of its scheduler run its code until the
     // process ends.
-    _library: ManuallyDrop<libloading::Library>,
+    _opened: ManuallyDrop<libloading::Library>,
 }
 
 impl Library {
@@ -153,7 +153,7 @@ impl Library {
             return Err(at(&format!("expected Embree 3 or 4, found {version}")));
         }
         let version = format!("{generation}.{minor}.{patch}");
-        Ok(Rc::new(Self { functions, generation, version, _library: ManuallyDrop::new(library) }))
+        Ok(Rc::new(Self { functions, generation, version, _opened: ManuallyDrop::new(library) }))
     }
 }
 
@@ -161,7 +161,7 @@ impl Library {
 pub(crate) struct Scene {
     library: Rc<Library>,
     device: Handle,
-    scene: Handle,
+    handle: Handle,
     /// The bytes that the device holds; its callback adds to them.
     bytes: Box<AtomicIsize>,
 }
@@ -226,7 +226,7 @@ impl Scene {
             (f.set_quality)(scene, if quality.is_high { HIGH } else { MEDIUM });
             (f.attach)(scene, geometry);
             (f.release_geometry)(geometry);
-            let made = Self { library: library.clone(), device, scene, bytes };
+            let made = Self { library: library.clone(), device, handle: scene, bytes };
             made.refused().map(|()| made)
         }
     }
@@ -238,7 +238,7 @@ impl Scene {
     pub(crate) fn commit(&self) -> Result<(), String> {
         // SAFETY: the scene is live, and nothing else uses it meanwhile: it is
         // not `Sync`.
-        unsafe { (self.library.functions.commit_scene)(self.scene) };
+        unsafe { (self.library.functions.commit_scene)(self.handle) };
         self.refused()
     }
 
@@ -277,8 +277,8 @@ impl Scene {
             // arguments after it, which may be null.
             unsafe {
                 match self.library.generation {
-                    3 => function(self.scene, context, ray),
-                    _ => function(self.scene, ray, ptr::null_mut()),
+                    3 => function(self.handle, context, ray),
+                    _ => function(self.handle, ray, ptr::null_mut()),
                 }
             }
         }
@@ -314,8 +314,8 @@ impl Scene {
             // mask and packet are aligned to 64 bytes as the header asks.
             unsafe {
                 match self.library.generation {
-                    3 => function(valid, self.scene, context, packet),
-                    _ => function(valid, self.scene, packet, arguments),
+                    3 => function(valid, self.handle, context, packet),
+                    _ => function(valid, self.handle, packet, arguments),
                 }
             }
         }
@@ -331,7 +331,7 @@ impl Drop for Scene {
         // SAFETY: both are ours, live, and not used again; the scene goes
         // before the device that it is on.
         unsafe {
-            (self.library.functions.release_scene)(self.scene);
+            (self.library.functions.release_scene)(self.handle);
             (self.library.functions.release_device)(self.device);
         }
     }

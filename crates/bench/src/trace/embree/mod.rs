@@ -32,9 +32,8 @@ impl Setting {
         let avx2 = Some("avx2");
         let single = |isa, quality| Some(Self { isa, quality, is_packet: false });
         match name {
-            "embree3" => single(avx2, medium),
             "embree4-default" => single(None, medium),
-            "embree4-avx2" => single(avx2, medium),
+            "embree4-avx2" | "embree3" => single(avx2, medium),
             "embree4-high" => single(avx2, Quality { is_high: true, ..medium }),
             "embree4-robust" => single(avx2, Quality { is_robust: true, ..medium }),
             // Only the widest instructions have packets of 16 of their own.
@@ -102,7 +101,7 @@ impl Engine for Embree {
             }
             (Query::Any, false) => Records::Any(rays.map(single).collect()),
             (Query::Closest, true) => {
-                let hits = packets.map(|(valid, rays)| (valid, RayHit16::new(rays)));
+                let hits = packets.map(|(valid, rays)| (valid, RayHit16::new(&rays)));
                 Records::Closest16(hits.collect())
             }
             (Query::Any, true) => Records::Any16(packets.collect()),

@@ -79,10 +79,10 @@ impl RayHit {
 }
 
 impl RayHit16 {
-    pub(super) fn new(ray: Ray16) -> Self {
+    pub(super) fn new(ray: &Ray16) -> Self {
         let none = [NO_GEOMETRY; PACKET];
         Self {
-            ray,
+            ray: *ray,
             normal: [[0.0; PACKET]; 3],
             uv: [[0.0; PACKET]; 2],
             primitive: none,

@@ -105,7 +105,7 @@ mod tests {
                 let mut engine = prepare(name, &scene.mesh).unwrap()().unwrap();
                 engine.load(&set);
                 engine.trace();
-                let wrong = count_wrong(&engine.answers(), &reference.answers(), set.query);
+                let wrong = count_wrong(&engine.answers(), &reference.answers(), set.query).total();
                 assert!(wrong <= GRAZING, "{name} {}: {wrong} of {}", set.name, set.rays.len());
             }
         }
