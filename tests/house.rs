@@ -14,7 +14,10 @@ fn sources(folder: &str) -> Vec<(PathBuf, String)> {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                walk(&path, found);
+                // What is built of a workspace of its own is not ours to judge.
+                if !path.ends_with("target") {
+                    walk(&path, found);
+                }
             } else if path.extension().is_some_and(|ending| ending == "rs") {
                 found.push((path.clone(), fs::read_to_string(&path).unwrap()));
             }
@@ -80,16 +83,24 @@ fn every_file_says_what_it_is_and_is_one_idea_long() {
     }
 }
 
+/// What only the tracer's module of vectors may say, and where the bench calls
+/// Embree.
+const UNSAFE: &str = "unsafe ";
+const MAY_BE_UNSAFE: [&str; 2] =
+    ["crates/tracer/src/simd/", "crates/bench/src/trace/embree/api.rs"];
+
 #[test]
 fn nothing_is_unfinished_ignored_or_unsafe() {
     // Put together, so that this file does not name them.
-    let words = ["todo!", "unimplemented!", "dbg!", "#[ignore", "FIXME", "XXX", "unsafe "];
+    let words = ["todo!", "unimplemented!", "dbg!", "#[ignore", "FIXME", "XXX"];
     for (path, text) in all_sources() {
         if path.ends_with("tests/house.rs") {
             continue;
         }
         let found = words.iter().find(|word| text.contains(**word));
         assert!(found.is_none(), "{} says {found:?}", path.display());
+        let may_be_unsafe = MAY_BE_UNSAFE.iter().any(|part| path.to_string_lossy().contains(part));
+        assert!(may_be_unsafe || !text.contains(UNSAFE), "{} says {UNSAFE}", path.display());
     }
 }
 

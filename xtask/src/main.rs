@@ -72,6 +72,8 @@ pub(crate) enum Answer {
     Yes,
     /// Exit code 1.
     No,
+    /// The exit code of a program that was asked in turn, which has said why.
+    Code(u8),
 }
 
 /// Why a verb could not do its work; exit code 2.
@@ -130,6 +132,7 @@ fn main() -> ExitCode {
     match answer {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
+        Ok(Answer::Code(code)) => ExitCode::from(code),
         Err(CannotAsk(why)) => {
             eprintln!("error: {}", why.trim_end());
             ExitCode::from(2)

@@ -50,6 +50,7 @@ mod scene;
 mod shading;
 pub mod shape;
 mod show;
+mod simd;
 mod transform;
 mod unit;
 

@@ -4,6 +4,8 @@
 //! `+ - * /`, `sqrt` and `mul_add` are exact in IEEE 754; everything else
 //! comes from `libm`, which is the same code everywhere.
 
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
 use glam::DVec3;
 
 use crate::Ray;
@@ -12,22 +14,63 @@ use crate::Ray;
 /// one rounding.
 pub(crate) const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
+/// A number, or several that the same is done with: what makes one formula serve
+/// a single ray and four at a time, with the same bits.
+pub(crate) trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// `self times + plus`, rounded once.
+    fn fused(self, times: Self, plus: Self) -> Self;
+    /// Without its sign.
+    fn magnitude(self) -> Self;
+    /// This number, as many times.
+    fn like(self, x: f64) -> Self;
+    /// The number where `test` is above 0, else 0.
+    fn where_positive(self, test: Self) -> Self;
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn fused(self, times: Self, plus: Self) -> Self {
+        self.mul_add(times, plus)
+    }
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self.abs()
+    }
+    #[inline(always)]
+    fn like(self, x: f64) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn where_positive(self, test: Self) -> Self {
+        if test > 0.0 { self } else { 0.0 }
+    }
+}
+
 /// `a b - c d` with an error of at most 1.5 units in the last place and,
 /// short of underflow, the exact sign.
 ///
 /// Source: W. Kahan's fused-multiply-add determinant; error bound by
 /// Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for
 /// the accurate computation of 2x2 determinants", 2013.
-pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+#[inline(always)]
+pub(crate) fn difference_of_products<R: Real>(a: R, b: R, c: R, d: R) -> R {
     let cd = c * d;
-    let error = (-c).mul_add(d, cd);
-    a.mul_add(b, -cd) + error
+    let error = (-c).fused(d, cd);
+    a.fused(b, -cd) + error
 }
 
 /// `a + b` as a rounded sum and what the rounding left out; exact together.
 ///
 /// Source: Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+#[inline(always)]
+pub(crate) fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;
     let b_seen = sum - a;
     (sum, (a - (sum - b_seen)) + (b - b_seen))
@@ -35,32 +78,43 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// `a b` as a rounded product and what the rounding left out; exact together,
 /// short of underflow.
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+#[inline(always)]
+pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
     let product = a * b;
-    (product, a.mul_add(b, -product))
+    (product, a.fused(b, -product))
 }
 
 /// A number as a rounded value and a rest below its last place: twice the
 /// digits.
-pub(crate) type Long = (f64, f64);
+pub(crate) type Long<R = f64> = (R, R);
 
 /// `a b` of long numbers, right to a few `u^2`.
-pub(crate) fn long_product(a: Long, b: Long) -> Long {
+#[inline(always)]
+pub(crate) fn long_product<R: Real>(a: Long<R>, b: Long<R>) -> Long<R> {
     let (product, rest) = two_product(a.0, b.0);
     (product, rest + (a.0 * b.1 + a.1 * b.0))
 }
 
 /// `a + b` of long numbers, right to a few `u^2` of the larger.
-pub(crate) fn long_sum(a: Long, b: Long) -> Long {
+#[inline(always)]
+pub(crate) fn long_sum<R: Real>(a: Long<R>, b: Long<R>) -> Long<R> {
     let (sum, rest) = two_sum(a.0, b.0);
     two_sum(sum, rest + (a.1 + b.1))
 }
 
 /// `a / b` of long numbers, rounded once but for a few `u^2`.
-pub(crate) fn long_quotient(a: Long, b: Long) -> f64 {
+#[inline(always)]
+pub(crate) fn long_quotient<R: Real>(a: Long<R>, b: Long<R>) -> R {
     let quotient = a.0 / b.0;
-    let left = (-quotient).mul_add(b.0, a.0) + (a.1 - quotient * b.1);
+    let left = (-quotient).fused(b.0, a.0) + (a.1 - quotient * b.1);
     quotient + left / b.0
+}
+
+/// `a b - c d` of long numbers, right to a few `u^2` of the products.
+#[inline(always)]
+pub(crate) fn determinant<R: Real>(a: Long<R>, b: Long<R>, c: Long<R>, d: Long<R>) -> Long<R> {
+    let (minus, rest) = long_product(c, d);
+    long_sum(long_product(a, b), (-minus, -rest))
 }
 
 /// `a . b` as if computed with twice the digits and rounded once, so that

@@ -15,6 +15,8 @@ use crate::group::Occluder;
 pub(crate) trait Meter {
     /// It happened once more.
     fn count(&self, event: Event);
+    /// It happened so many times more; they are counted only if that is asked.
+    fn count_many(&self, event: Event, times: impl FnOnce() -> usize);
 }
 
 /// Counts nothing.
@@ -24,6 +26,8 @@ pub(crate) struct Unmetered;
 impl Meter for Unmetered {
     #[inline(always)]
     fn count(&self, _: Event) {}
+    #[inline(always)]
+    fn count_many(&self, _: Event, _: impl FnOnce() -> usize) {}
 }
 
 /// Counts everything, for one thread.
@@ -33,8 +37,12 @@ pub(crate) struct Counter([Cell<u64>; Event::ALL.len()]);
 impl Meter for Counter {
     #[inline]
     fn count(&self, event: Event) {
+        self.count_many(event, || 1);
+    }
+    #[inline]
+    fn count_many(&self, event: Event, times: impl FnOnce() -> usize) {
         let cell = &self.0[event as usize];
-        cell.set(cell.get() + 1);
+        cell.set(cell.get() + times() as u64);
     }
 }
 
@@ -77,7 +85,7 @@ events! {
     SkippedShadowRay "shadow_rays_skipped",
     /// A ray taken into a group's space.
     Group "groups_entered",
-    /// A ray held against a box of a hierarchy.
+    /// A ray held against the boxes of a node of a hierarchy, eight together.
     Node "node_tests",
     /// A ray held against a sphere.
     Sphere "sphere_tests",

@@ -99,8 +99,9 @@ pub(crate) fn measure(
         Aimed {
             scene: scene.name.clone(),
             rays: set.name.clone(),
-            count: set.rays.len(),
             engine: (*name).to_owned(),
+            of: set.rays.len(),
+            wrong: wrong.total(),
             hit_or_miss: wrong.hit_or_miss,
             elsewhere: wrong.elsewhere,
         }

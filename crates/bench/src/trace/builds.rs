@@ -3,9 +3,8 @@
 
 use super::engine::{Libraries, SHARING};
 use super::report::Build;
-use crate::clock;
+use crate::measure::{Spread, process_seconds};
 use crate::meshes::SceneMesh;
-use crate::stats::Summary;
 
 /// Threads that are built with.
 const THREADS: [usize; 2] = [1, 2];
@@ -39,14 +38,14 @@ pub(crate) fn measure(
     }
     let triangles = scene.mesh.faces.len();
     let built = subjects.into_iter().zip(found).filter_map(|((name, threads), (ms, bytes))| {
-        let cpu_ms = Summary::of(&ms)?;
+        let found = (!ms.is_empty()).then(|| Spread::of(&ms))?;
         Some(Build {
             scene: scene.name.clone(),
             triangles,
             engine: name.to_owned(),
             threads,
-            cpu_ms: cpu_ms.median,
-            spread: [cpu_ms.min, cpu_ms.max],
+            ms: found.median,
+            spread: [found.low, found.high],
             bytes_per_triangle: bytes as f64 / triangles as f64,
         })
     });
@@ -64,9 +63,9 @@ fn build(
 ) -> Option<(f64, usize)> {
     let before = crate::ALLOCATOR.allocated();
     let job = libraries.prepare(name, threads, &scene.mesh).ok()?;
-    let start = clock::process_seconds();
+    let start = process_seconds();
     let engine = job().ok()?;
-    let ms = (clock::process_seconds() - start) / MILLI;
+    let ms = (process_seconds() - start) / MILLI;
     let kept = crate::ALLOCATOR.allocated().saturating_sub(before);
     Some((ms, engine.bytes().unwrap_or(kept)))
 }
@@ -88,7 +87,7 @@ mod tests {
         let threads: Vec<_> = built.iter().map(|build| build.threads).collect();
         assert_eq!(threads, THREADS, "one that shares is not built again");
         for build in built {
-            assert!(build.spread[0] > 0.0 && build.spread[0] <= build.cpu_ms);
+            assert!(build.spread[0] > 0.0 && build.spread[0] <= build.ms);
             let bytes = build.bytes_per_triangle;
             assert!(AT_LEAST < bytes && bytes < AT_MOST, "{bytes}");
         }

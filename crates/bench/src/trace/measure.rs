@@ -3,8 +3,7 @@
 
 use super::engine::Named;
 use super::rays::{Query, RaySet};
-use crate::clock;
-use crate::stats::Summary;
+use crate::measure::{Spread, thread_seconds};
 
 /// A `t` that is farther from the exact one than this part of it is wrong.
 const WRONG_PART: f64 = 1e-3;
@@ -15,7 +14,7 @@ const MILLION: f64 = 1e6;
 pub(crate) struct Measured {
     pub(crate) engine: &'static str,
     /// Millions of rays a second.
-    pub(crate) mrays_s: Summary,
+    pub(crate) mrays_s: Spread,
     pub(crate) wrong: usize,
 }
 
@@ -36,9 +35,9 @@ pub(crate) fn measure(
             let number = (turn + rep) % count;
             let engine = &mut engines[number].1;
             engine.load(set);
-            let start = clock::thread_seconds();
+            let start = thread_seconds();
             engine.trace();
-            let seconds = clock::thread_seconds() - start;
+            let seconds = thread_seconds() - start;
             if rep == 0 {
                 let found = count_wrong(&engine.answers(), reference, set.query);
                 wrong[number] = found.total();
@@ -47,9 +46,8 @@ pub(crate) fn measure(
             }
         }
     }
-    let measured = engines.iter().zip(speeds).zip(wrong);
-    let measured = measured.filter_map(|((engine, speeds), wrong)| {
-        Some(Measured { engine: engine.0, mrays_s: Summary::of(&speeds)?, wrong })
+    let measured = engines.iter().zip(speeds).zip(wrong).map(|((engine, speeds), wrong)| {
+        Measured { engine: engine.0, mrays_s: Spread::of(&speeds), wrong }
     });
     measured.collect()
 }

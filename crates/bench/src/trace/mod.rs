@@ -22,6 +22,7 @@ use self::engine::Libraries;
 use self::rays::{Kind, RaySet};
 use self::report::{Checked, Report, Row, SCHEMA};
 use crate::files;
+use crate::machine::Machine;
 use crate::meshes::{self, SceneMesh};
 
 /// The balls that `--scenes growth` stands for.
@@ -123,8 +124,16 @@ struct Run {
 impl Run {
     fn new(args: &Args) -> Result<Self, String> {
         let libraries = Libraries::open();
-        let (machine, peers) = (files::machine(), libraries.versions());
-        let report = Report { schema: SCHEMA, machine, peers, ..Report::default() };
+        let (machine, peers) = (Machine::here(), libraries.versions());
+        let report = Report {
+            schema: SCHEMA,
+            machine,
+            peers,
+            rows: Vec::new(),
+            builds: Vec::new(),
+            aimed: Vec::new(),
+            checked: Checked::default(),
+        };
         let quick = |value: u32, quick: u32| if args.quick { quick } else { value };
         let aimed = if args.quick { QUICK_AIMED } else { aimed::COUNT };
         Ok(Self {

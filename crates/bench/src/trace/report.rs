@@ -4,15 +4,16 @@ use serde::Serialize;
 
 use super::measure::Measured;
 use super::rays::RaySet;
+use crate::machine::Machine;
 
 /// The version of this format.
 pub(crate) const SCHEMA: u32 = 1;
 
 /// Everything that a run found.
-#[derive(Debug, Default, Serialize)]
+#[derive(Debug, Serialize)]
 pub(crate) struct Report {
     pub(crate) schema: u32,
-    pub(crate) machine: String,
+    pub(crate) machine: Machine,
     /// What was measured beside goldray, with versions.
     pub(crate) peers: Vec<String>,
     pub(crate) rows: Vec<Row>,
@@ -39,7 +40,7 @@ pub(crate) struct Build {
     pub(crate) threads: usize,
     /// CPU milliseconds of all threads together: the median, and the least and
     /// the most.
-    pub(crate) cpu_ms: f64,
+    pub(crate) ms: f64,
     pub(crate) spread: [f64; 2],
     /// Bytes for each triangle that it keeps, its copy of the mesh with them.
     pub(crate) bytes_per_triangle: f64,
@@ -51,8 +52,10 @@ pub(crate) struct Aimed {
     pub(crate) scene: String,
     /// From where, at what.
     pub(crate) rays: String,
-    pub(crate) count: usize,
     pub(crate) engine: String,
+    /// How many there are, and how many are answered wrong.
+    pub(crate) of: usize,
+    pub(crate) wrong: usize,
     /// Hits for misses and the other way round.
     pub(crate) hit_or_miss: usize,
     /// Hits elsewhere.
@@ -86,7 +89,7 @@ impl Row {
             count: set.rays.len(),
             engine: measured.engine.to_owned(),
             mrays_s: measured.mrays_s.median,
-            spread: [measured.mrays_s.min, measured.mrays_s.max],
+            spread: [measured.mrays_s.low, measured.mrays_s.high],
             wrong: measured.wrong,
         }
     }

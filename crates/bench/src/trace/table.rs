@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::engine::BAR;
 use super::report::{Aimed, Build, Report, Row};
-use crate::stats::{geometric_mean, slope};
+use crate::slope::slope;
 
 /// Width of the columns of names and of numbers.
 const NAME: usize = 26;
@@ -62,6 +62,13 @@ pub(crate) fn mean_ratio(rows: &[Row], engine: &str, bar: &str, rays: &[&str]) -
     geometric_mean(&ratios)
 }
 
+/// `None` of no numbers, and where one is not positive.
+fn geometric_mean(values: &[f64]) -> Option<f64> {
+    let usable = !values.is_empty() && values.iter().all(|value| *value > 0.0);
+    let logs: f64 = values.iter().map(|value| value.ln()).sum();
+    usable.then(|| (logs / values.len() as f64).exp())
+}
+
 /// Geometric means over all scenes.
 pub(crate) fn means(report: &Report) -> String {
     const ALL: [&str; 4] = ["primary", "diffuse", "shuffled", "shadow"];
@@ -91,9 +98,9 @@ pub(crate) fn builds(builds: &[Build]) -> String {
     for build in builds {
         let name = format!("{}, {} thr.", build.engine, build.threads);
         let of_same = |other: &&Build| other.engine == BAR && other.threads == build.threads;
-        let ratio = builds.iter().find(of_same).map(|bar| build.cpu_ms / bar.cpu_ms);
+        let ratio = builds.iter().find(of_same).map(|bar| build.ms / bar.ms);
         let ratio = ratio.map_or(String::new(), |ratio| format!(" {ratio:.2}x"));
-        let ms = format!("{:.1}{ratio}", build.cpu_ms);
+        let ms = format!("{:.1}{ratio}", build.ms);
         let _ = writeln!(text, "{name:<NAME$}{ms:>CELL$}{:>CELL$.1}", build.bytes_per_triangle);
     }
     text
@@ -109,7 +116,7 @@ pub(crate) fn aimed(aimed: &[Aimed]) -> String {
             let _ = writeln!(
                 text,
                 "{:<NAME$}{:>CELL$}{:>CELL$}",
-                format!("{} rays from {set}", row.count),
+                format!("{} rays from {set}", row.of),
                 "hit or miss",
                 "elsewhere"
             );
@@ -131,8 +138,7 @@ pub(crate) fn growth(rows: &[Row]) -> String {
     for row in &balls {
         let key = (&*row.engine, &*row.rays);
         let same = balls.iter().filter(|other| (&*other.engine, &*other.rays) == key);
-        let points: Vec<_> =
-            same.map(|row| ((row.triangles as f64).ln(), -row.mrays_s.ln())).collect();
+        let points: Vec<_> = same.map(|row| (row.triangles as f64, row.mrays_s.recip())).collect();
         if done.contains(&key) || points.len() < ENOUGH {
             continue;
         }

@@ -12,6 +12,7 @@
 
 mod bvh;
 mod list;
+pub(crate) mod wide;
 
 pub use bvh::Bvh;
 pub use list::List;
@@ -73,14 +74,6 @@ impl Accelerator {
         match build {
             Build::Bvh | Build::Fast if boxes.len() > LEAF => Self::Bvh(Bvh::new(boxes, rounding)),
             _ => Self::List(List::new(boxes.len())),
-        }
-    }
-
-    /// A few boxes that hold all candidates between them.
-    pub(crate) fn coarse_boxes(&self, all: Aabb) -> Vec<Aabb> {
-        match self {
-            Self::List(_) => vec![all],
-            Self::Bvh(bvh) => bvh.coarse_boxes(),
         }
     }
 

@@ -1,14 +1,25 @@
 //! `Mesh`: triangles that share corners, with normals to interpolate where
 //! they have them.
 
+mod blocks;
+mod precision;
+mod sight;
+mod trace;
+mod visit;
+mod winners;
+
 use glam::DVec3;
 
 use super::triangle::{self, Shear};
 use super::{Contact, Departure, Geometry, SurfacePoint};
-use crate::accel::{Accelerator, Build, Coherence};
+use crate::accel::wide::{self, Leaf, MOST_PLACES, Wide};
+use crate::accel::{Build, List};
+use crate::math::max_abs;
 use crate::meter::{Event, Meter, Unmetered};
 use crate::refused::{point, refuse_unless};
+use crate::simd::Level;
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
+use blocks::{Blocks, LANES, NOBODY};
 
 /// Normals at the corners of a mesh's triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,12 +40,38 @@ pub struct MeshNormals {
 /// through the edge hits or misses as one right beside it does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    vertices: Vec<DVec3>,
-    faces: Vec<[u32; 3]>,
+    /// The triangles that have an area.
+    blocks: Blocks,
+    /// For each triangle where it is among the blocks: four times its block, plus
+    /// its lane; [`NOBODY`] for one without an area.
+    places: Vec<u32>,
     normals: Option<MeshNormals>,
     bounds: Aabb,
-    accelerator: Accelerator,
+    /// The middle of the bounds, and how far they go from there along an axis at
+    /// most.
+    middle: DVec3,
+    half: f64,
+    order: Order,
+    /// Whether triangles are met in `f32`, for good.
+    is_fast: bool,
+    /// With which instructions.
+    level: Level,
 }
+
+/// In which order a ray meets a mesh's triangles.
+#[derive(Debug, Clone, PartialEq)]
+enum Order {
+    /// In that of their numbers: the reference.
+    List(List),
+    /// Block by block, as there are few.
+    Blocks,
+    /// By the boxes of a hierarchy.
+    Wide(Wide),
+}
+
+/// Up to this many triangles are met without a hierarchy: two blocks, which is
+/// less work than a node.
+const FEW: usize = 2 * LANES;
 
 impl Mesh {
     /// A mesh from its corners and, for each triangle, the indices of its
@@ -44,9 +81,11 @@ impl Mesh {
     /// Refuses a mesh without a triangle that has an area, corners or normals that are not
     /// finite, an index out of range, and normals for another number of
     /// triangles.
+    // It stands for them from then on.
+    #[allow(clippy::needless_pass_by_value)]
     pub fn new(
         vertices: Vec<DVec3>,
-        mut faces: Vec<[u32; 3]>,
+        faces: Vec<[u32; 3]>,
         normals: Option<MeshNormals>,
         build: Build,
     ) -> Result<Self, Refused> {
@@ -62,9 +101,9 @@ impl Mesh {
             vertices.iter().find_map(|&v| point("vertices", v)),
             refuse_unless(!faces.is_empty(), "faces", "at least one triangle", || "none".into()),
             refuse_unless(
-                u32::try_from(faces.len()).is_ok(),
+                faces.len() <= MOST_PLACES,
                 "faces",
-                "at most 4294967295 triangles",
+                format!("at most {MOST_PLACES} triangles"),
                 || faces.len().to_string(),
             ),
             refuse_unless(
@@ -87,111 +126,70 @@ impl Mesh {
             "at least one triangle with an area",
             || format!("{} without", faces.len()),
         )])?;
-        // Drawn into one of its corners, a triangle without an area cannot be
-        // opened by the rounding of a ray's shear.
-        for face in &mut faces {
-            if triangle::normal(corners(face)).is_none() {
-                *face = [face[0]; 3];
+        let has_area = |face: &[u32; 3]| triangle::normal(corners(face)).is_some();
+        let numbers: Vec<u32> =
+            (0..faces.len() as u32).filter(|&i| has_area(&faces[i as usize])).collect();
+        let corners = |number: u32| faces[number as usize].map(|i| vertices[i as usize]);
+        let boxes: Vec<_> = numbers.iter().map(|&i| triangle::bounds(corners(i))).collect();
+        let bounds = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let is_single = Blocks::are_single(&vertices);
+        let mut blocks = Blocks::empty(is_single || build == Build::Fast);
+        let order = if build == Build::List || numbers.len() <= FEW {
+            for four in numbers.chunks(LANES) {
+                blocks.add(four, &corners);
+            }
+            if build == Build::List { Order::List(List::new(faces.len())) } else { Order::Blocks }
+        } else {
+            let options = wide::Options { leaf_size: LANES };
+            Order::Wide(Wide::new(&boxes, 1.0, options, |items| {
+                let mut four = [NOBODY; LANES];
+                for (number, &item) in four.iter_mut().zip(items) {
+                    *number = numbers[item as usize];
+                }
+                let count = items.len().min(LANES);
+                Leaf::new(blocks.add(&four[..count], &corners), count as u32)
+            }))
+        };
+        let mut places = vec![NOBODY; faces.len()];
+        for block in 0..blocks.len() {
+            for (lane, number) in blocks.numbers(block).into_iter().enumerate() {
+                if number != NOBODY {
+                    places[number as usize] = (block * LANES + lane) as u32;
+                }
             }
         }
-        let boxes: Vec<_> = faces.iter().map(|f| triangle::bounds(corners(f))).collect();
-        let bounds = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        let accelerator = Accelerator::build(build, &boxes, 1.0);
-        Ok(Self { vertices, faces, normals, bounds, accelerator })
+        let middle = bounds.center();
+        let half = max_abs(bounds.max - middle).max(max_abs(middle - bounds.min));
+        let is_fast = build == Build::Fast;
+        let level = Level::best();
+        Ok(Self { blocks, places, normals, bounds, middle, half, order, is_fast, level })
+    }
+
+    /// The same mesh, met with these instructions.
+    #[cfg(test)]
+    fn at(mut self, level: crate::simd::Level) -> Self {
+        self.level = level;
+        self
     }
 
     /// How many triangles it has.
     pub fn triangle_count(&self) -> usize {
-        self.faces.len()
+        self.places.len()
     }
 
-    /// How many of its triangles the ray crosses inside `range`, near and far:
-    /// odd for a ray from inside a closed mesh, even from outside.
-    pub fn crossings(&self, ray: &Ray, range: Interval) -> u32 {
-        let shear = Shear::new(ray);
-        let mut count = 0;
-        self.accelerator.any(ray, range, &Unmetered, |i| {
-            count += u32::from(shear.intersect(self.corners(i), range).is_some());
-            false
-        });
-        count
-    }
-
-    /// What [`Geometry::intersect`] says of each of these rays, put in its place
-    /// in `contacts`, which is as long.
-    pub fn intersect_batch(
-        &self,
-        rays: &[Ray],
-        range: Interval,
-        _: Coherence,
-        contacts: &mut [Option<Contact>],
-    ) {
-        for (ray, contact) in rays.iter().zip(contacts) {
-            *contact = self.intersect(ray, range);
-        }
-    }
-
-    /// What [`Geometry::occludes`] says of each of these rays, put in its place
-    /// in `occluded`, which is as long.
-    pub fn occludes_batch(
-        &self,
-        rays: &[Ray],
-        range: Interval,
-        _: Coherence,
-        occluded: &mut [bool],
-    ) {
-        for (ray, occluded) in rays.iter().zip(occluded) {
-            *occluded = self.occludes(ray, range);
-        }
-    }
-
-    /// The first contact of a ray, which may leave one of the triangles.
-    pub(super) fn closest(
-        &self,
-        ray: &Ray,
-        range: Interval,
-        from: Option<Departure>,
-        meter: &impl Meter,
-    ) -> Option<Contact> {
-        let shear = Shear::new(ray);
-        let test = |i, range| {
-            meter.count(Event::Triangle);
-            let contact = shear.intersect(self.corners(i), range);
-            contact.filter(|_| self.may_meet(ray.direction, from, i))
-        };
-        let (part, contact) = self.accelerator.closest(ray, range, meter, test)?;
-        Some(Contact { part, ..contact })
-    }
-
-    /// A triangle that the ray meets: any, or if it does the one called `only`.
-    pub(super) fn occluder(
-        &self,
-        ray: &Ray,
-        range: Interval,
-        from: Option<Departure>,
-        only: Option<u32>,
-        meter: &impl Meter,
-    ) -> Option<u32> {
-        let shear = Shear::new(ray);
-        let is_met = |i| {
-            meter.count(Event::Triangle);
-            let contact = shear.intersect(self.corners(i), range);
-            contact.is_some() && self.may_meet(ray.direction, from, i)
-        };
-        if let Some(only) = only {
-            return (only < self.faces.len() as u32 && is_met(only)).then_some(only);
-        }
-        let mut found = None;
-        self.accelerator.any(ray, range, meter, |i| {
-            found = is_met(i).then_some(i);
-            found.is_some()
-        });
-        found
+    /// How many bytes it takes, normals not counted: its triangles, and what
+    /// finds them.
+    pub fn bytes(&self) -> usize {
+        let order = if let Order::Wide(wide) = &self.order { wide.bytes() } else { 0 };
+        self.blocks.bytes() + size_of_val(self.places.as_slice()) + order
     }
 
     /// A few boxes that hold all triangles between them.
     pub(super) fn coarse_boxes(&self) -> Vec<Aabb> {
-        self.accelerator.coarse_boxes(self.bounds)
+        match &self.order {
+            Order::Wide(wide) => wide.coarse_boxes(),
+            _ => vec![self.bounds],
+        }
     }
 
     /// Whether a ray along `direction` that leaves `from` may meet triangle
@@ -199,17 +197,17 @@ impl Mesh {
     /// front of while the ray goes forward, or behind while it goes back: so in
     /// an edge or corner, where the ray starts on several, it meets none that
     /// its start's rounding alone puts in its way.
-    fn may_meet(&self, direction: DVec3, from: Option<Departure>, other: u32) -> bool {
+    fn may_meet(&self, direction: DVec3, from: Departure, other: u32, corners: [DVec3; 3]) -> bool {
         // A part that this mesh has not got is another's.
-        let left = from.filter(|from| (from.part as usize) < self.faces.len());
-        left.is_none_or(|Departure { part, .. }| {
-            let (other_one, start) = (self.corners(other), self.corners(part));
-            other != part && !triangle::is_turned_from(other_one, start, direction)
-        })
+        let Some(start) = self.corners(from.part) else { return true };
+        other != from.part && !triangle::is_turned_from(corners, start, direction)
     }
 
-    fn corners(&self, triangle: u32) -> [DVec3; 3] {
-        self.faces[triangle as usize].map(|i| self.vertices[i as usize])
+    /// The corners of a triangle; `None` if it has no area, or is none of this
+    /// mesh.
+    fn corners(&self, triangle: u32) -> Option<[DVec3; 3]> {
+        let place = *self.places.get(triangle as usize)?;
+        (place != NOBODY).then(|| self.blocks.triangle(place))
     }
 
     /// The normals of the corners, weighted as the point is; `None` where the
@@ -239,9 +237,9 @@ impl Geometry for Mesh {
     }
 
     fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
-        let corners = self.corners(contact.part);
-        // A triangle that was hit has an area, and so a normal; the axis is for
-        // the compiler.
+        // A triangle that was hit has an area, and so a normal; the others are
+        // for the compiler.
+        let corners = self.corners(contact.part).unwrap_or_default();
         let normal = triangle::normal(corners).unwrap_or(UnitVec::Z);
         SurfacePoint {
             shading_normal: self.interpolated_normal(contact).unwrap_or(normal),

@@ -3,6 +3,7 @@
 use glam::dvec3;
 
 use super::*;
+use crate::accel::Coherence;
 
 /// The square [0, 2]^2 at z = 0 as two triangles that share a diagonal, and
 /// four more out of the way, so that there is a hierarchy.
@@ -158,4 +159,82 @@ fn a_triangle_without_an_area_is_kept_and_never_hit() {
     assert_eq!(mesh.triangle_count(), 2);
     let hit = mesh.intersect(&down(0.25, 0.25), Interval::AHEAD).unwrap();
     assert_eq!(hit.part, 1);
+}
+
+/// A ball of random bumps, of `f32` corners or not, with a ray at its corners and
+/// edges and some that are no one's.
+fn bumpy(any: &mut fastrand::Rng, is_single: bool) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let (rings, around) = (7, 12);
+    let mut vertices = Vec::new();
+    for ring in 0..=rings {
+        for k in 0..around {
+            let (up, turn) = (
+                std::f64::consts::PI * (f64::from(ring) + 0.5) / f64::from(rings + 1),
+                std::f64::consts::TAU * f64::from(k) / f64::from(around),
+            );
+            let (sin, cos) = libm::sincos(up);
+            let (sine, cosine) = libm::sincos(turn);
+            let p = dvec3(sin * cosine, sin * sine, cos) * (0.8 + 0.4 * any.f64());
+            let single = DVec3::from_array(p.to_array().map(|x| f64::from(x as f32)));
+            vertices.push(if is_single { single } else { p });
+        }
+    }
+    let at = |ring: u32, k: u32| ring * around + k % around;
+    let faces = (0..rings).flat_map(|ring| {
+        (0..around).flat_map(move |k| {
+            let [a, b] = [at(ring, k), at(ring, k + 1)];
+            let [c, d] = [at(ring + 1, k), at(ring + 1, k + 1)];
+            [[a, c, d], [a, d, b]]
+        })
+    });
+    (vertices, faces.collect())
+}
+
+#[test]
+fn every_level_batch_and_single_ray_gives_the_answers_of_the_list() {
+    let mut any = fastrand::Rng::with_seed(4);
+    for round in 0..12 {
+        let (vertices, faces) = bumpy(&mut any, round % 2 == 0);
+        let mesh = |build| Mesh::new(vertices.clone(), faces.clone(), None, build).unwrap();
+        let list = mesh(Build::List);
+        let point = |any: &mut fastrand::Rng| {
+            dvec3(any.f64() - 0.5, any.f64() - 0.5, any.f64() - 0.5) * 6.0
+        };
+        let rays: Vec<_> = (0..400)
+            .map(|k| {
+                let origin = point(&mut any);
+                let face = faces[any.usize(0..faces.len())].map(|i| vertices[i as usize]);
+                let target = match k % 4 {
+                    0 => face[0],
+                    1 => 0.5 * (face[0] + face[1]),
+                    _ => point(&mut any),
+                };
+                let mut direction = (target - origin) * libm::exp2(8.0 * any.f64() - 4.0);
+                if k % 16 == 3 {
+                    direction[any.usize(0..3)] = 0.0;
+                }
+                Ray::new(origin, direction)
+            })
+            .collect();
+        let range = Interval::new(0.0, [f64::INFINITY, 1.0][round % 3 / 2]);
+        let expected: Vec<_> = rays.iter().map(|ray| list.intersect(ray, range)).collect();
+        for level in crate::simd::Level::all() {
+            let mesh = mesh(Build::Bvh).at(level);
+            let mut contacts = vec![None; rays.len()];
+            mesh.intersect_batch(&rays, range, Coherence::Incoherent, &mut contacts);
+            assert_eq!(contacts, expected, "{level:?}");
+            let mut occluded = vec![false; rays.len()];
+            mesh.occludes_batch(&rays, range, Coherence::Coherent, &mut occluded);
+            for ((ray, expected), occluded) in rays.iter().zip(&expected).zip(occluded) {
+                assert_eq!(mesh.intersect(ray, range), *expected, "{level:?} {ray:?}");
+                assert_eq!(mesh.occludes(ray, range), expected.is_some(), "{level:?} {ray:?}");
+                assert_eq!(occluded, expected.is_some(), "{level:?} {ray:?}");
+                assert_eq!(
+                    mesh.crossings(ray, range),
+                    list.crossings(ray, range),
+                    "{level:?} {ray:?}"
+                );
+            }
+        }
+    }
 }

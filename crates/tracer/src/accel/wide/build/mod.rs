@@ -1,0 +1,103 @@
+//! The builder of the wide hierarchy: from candidates' boxes to a tree whose
+//! nodes have up to eight children.
+//!
+//! The way there, one file each: `units` makes `f32` boxes that hold the `f64`
+//! ones, `bins` finds where to cut a set in two, `partition` cuts it, `grow`
+//! does so until sets are leaves, which gives a binary tree, and reckons on the
+//! way back which of its nodes to leave out, and `collapse` leaves them out.
+//!
+//! Every box is conservative, rounded outwards. The tree is a function of the
+//! candidates alone: whatever is chosen depends on sets, through counts,
+//! minima and maxima, and never on an order or a thread.
+
+mod bins;
+mod bounds;
+mod collapse;
+mod costs;
+mod grow;
+mod partition;
+mod reference;
+mod units;
+
+#[cfg(test)]
+mod tests;
+
+use crate::Aabb;
+
+/// Children of a node.
+pub(crate) const WIDTH: usize = 8;
+
+/// Levels of branches that no tree exceeds, whatever it is built of: a ray's
+/// stack needs room for `(WIDTH - 1) * MAX_DEPTH + 1` children.
+///
+/// Proof. No way through the binary tree has more than
+/// [`grow::MAX_BINARY_LEVELS`] inner nodes. On the first
+/// [`collapse::FREE_LEVELS`] levels of branches each takes in at least one of
+/// them; below, each takes in three levels of them.
+pub(crate) const MAX_DEPTH: usize =
+    collapse::FREE_LEVELS + grow::MAX_BINARY_LEVELS.div_ceil(collapse::LEVELS_PER_BRANCH);
+
+/// A box of `f32`, rounded outwards: all points `x` with `min <= x <= max` in
+/// each axis. Sides beyond the range of `f32` are infinite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Box32 {
+    /// The lowest corner.
+    pub min: [f32; 3],
+    /// The highest corner.
+    pub max: [f32; 3],
+}
+
+impl Box32 {
+    /// Holds no point.
+    pub(crate) const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
+}
+
+/// What stands at one of a branch's eight places.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Child {
+    /// Nothing: an unused place, behind the used ones.
+    None,
+    /// The branch of this index, which is higher than its parent's.
+    Branch(u32),
+    /// `items[first..first + count]`, of 1 to `leaf_size` candidates.
+    Leaf { first: u32, count: u32 },
+}
+
+/// An inner node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Branch {
+    /// What each child is inside of; empty for an unused place.
+    pub bounds: [Box32; WIDTH],
+    /// The children, of which there is at least one.
+    pub children: [Child; WIDTH],
+}
+
+/// A tree of branches and leaves.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Tree {
+    /// The root first, then in the order of a walk that goes down before it
+    /// goes on; none where there are no candidates.
+    pub branches: Vec<Branch>,
+    /// Candidates' numbers, leaf after leaf in the order of that walk.
+    pub items: Vec<u32>,
+}
+
+/// How to build.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Options {
+    /// At most how many candidates are tested together, as a block: the size
+    /// of a leaf, and the unit in which the surface area heuristic counts them.
+    /// Taken down to a power of two.
+    pub leaf_size: usize,
+}
+
+/// The tree over the candidates from 0 up to `count`, of which `bounds` gives
+/// the finite boxes.
+pub(crate) fn build(count: u32, bounds: &(impl Fn(u32) -> Aabb + Sync), options: Options) -> Tree {
+    if count == 0 {
+        return Tree::default();
+    }
+    let (units, references) = units::references(count, bounds);
+    let grown = grow::grow(references, options);
+    collapse::collapse(&grown, units)
+}

@@ -1,0 +1,114 @@
+//! `Units`: lengths in which a scene's boxes are neither so large nor so small
+//! that the products of the surface area heuristic leave the range of `f32`.
+
+use rayon::prelude::*;
+
+use super::Box32;
+use super::bounds::Bounds;
+use super::reference::Reference;
+use crate::Aabb;
+
+/// Largest coordinates from `1 / USUAL` to `USUAL` are taken as they are.
+const USUAL: f32 = (1_u64 << 40) as f32;
+/// The largest power of two by which coordinates are multiplied or divided: it
+/// and its inverse times any `f64` below 2^23 are in the range of `f64`.
+const MAX_EXPONENT: i64 = 1000;
+/// Bits of an `f64` behind its exponent, and what is added to that.
+const EXPONENT_SHIFT: u32 = 52;
+const EXPONENT_BIAS: i64 = 1023;
+/// References are made by this many at a time.
+const CHUNK: usize = 4096;
+
+/// The power of two that a scene's coordinates are multiplied by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Units {
+    scale: f64,
+}
+
+/// The candidates as references, in units that suit them.
+pub(super) fn references(
+    count: u32,
+    bounds: &(impl Fn(u32) -> Aabb + Sync),
+) -> (Units, Vec<Reference>) {
+    let units = Units { scale: 1.0 };
+    let references = units.convert(count, bounds);
+    let all = references
+        .par_chunks(CHUNK)
+        .map(|some| some.iter().fold(Bounds::EMPTY, |all, r| all.union(r.bounds())))
+        .reduce(|| Bounds::EMPTY, Bounds::union);
+    let largest = all.lo.abs().max(all.hi.abs()).truncate().max_element();
+    if largest == 0.0 || (1.0 / USUAL..=USUAL).contains(&largest) {
+        return (units, references);
+    }
+    let largest = (0..count).map(|i| bounds(i).max_abs()).fold(0.0, f64::max);
+    let units = Units::of(largest);
+    (units, units.convert(count, bounds))
+}
+
+impl Units {
+    /// Those in which `largest`, which is finite and not negative, is from 1 to
+    /// 2, or as close to it as [`MAX_EXPONENT`] allows.
+    pub(super) fn of(largest: f64) -> Self {
+        let exponent = (largest.to_bits() >> EXPONENT_SHIFT).cast_signed() - EXPONENT_BIAS;
+        let power = (-exponent).clamp(-MAX_EXPONENT, MAX_EXPONENT);
+        Self { scale: f64::from_bits(((power + EXPONENT_BIAS).cast_unsigned()) << EXPONENT_SHIFT) }
+    }
+
+    fn convert(self, count: u32, bounds: &(impl Fn(u32) -> Aabb + Sync)) -> Vec<Reference> {
+        let reference = |i| {
+            let Aabb { min, max } = bounds(i);
+            Reference::new(
+                min.to_array().map(|x| self.below(x)),
+                max.to_array().map(|x| self.above(x)),
+                i,
+            )
+        };
+        (0..count).into_par_iter().with_min_len(CHUNK).map(reference).collect()
+    }
+
+    /// The highest `f32` that in these units is not above `x`.
+    #[inline]
+    pub(super) fn below(self, x: f64) -> f32 {
+        if self.scale == 1.0 {
+            return round_down(x);
+        }
+        // Only where it underflows is the product not exact.
+        let product = x * self.scale;
+        round_down(if product / self.scale == x { product } else { product.next_down() })
+    }
+
+    /// The lowest `f32` that in these units is not below `x`.
+    #[inline]
+    pub(super) fn above(self, x: f64) -> f32 {
+        -self.below(-x) + 0.0
+    }
+
+    /// The box in the scene's own lengths.
+    ///
+    /// A quotient that underflows is rounded to the nearest multiple of the
+    /// least `f64`, and so not past any `f64` that the box held.
+    pub(super) fn scene_box(self, bounds: Bounds) -> Box32 {
+        let (min, max) = (bounds.lo.truncate().to_array(), bounds.hi.truncate().to_array());
+        if self.scale == 1.0 {
+            return Box32 { min, max };
+        }
+        Box32 {
+            min: min.map(|x| round_down(f64::from(x) / self.scale)),
+            max: max.map(|x| -round_down(-f64::from(x) / self.scale) + 0.0),
+        }
+    }
+}
+
+/// The highest `f32` that is not above `x`, without the sign of a zero, so that
+/// equal numbers are equal bits.
+#[inline]
+fn round_down(x: f64) -> f32 {
+    let nearest = x as f32;
+    // A step down is one back in the bits of a positive number, and one on in
+    // those of a negative one; -0.0 is where negative ones round to that are
+    // too small.
+    let bits = nearest.to_bits().cast_signed();
+    let down = if bits < 0 { 1 } else { -1 };
+    let step = if f64::from(nearest) > x { down } else { 0 };
+    f32::from_bits((bits + step).cast_unsigned()) + 0.0
+}
