@@ -3,7 +3,7 @@
 
 use super::engine::{Libraries, SHARING};
 use super::report::Build;
-use crate::measure::{Spread, process_seconds};
+use crate::measure::{Spread, wall_and_processor};
 use crate::meshes::SceneMesh;
 
 /// Threads that are built with.
@@ -22,37 +22,40 @@ pub(crate) fn measure(
 ) -> Vec<Build> {
     let own = names.iter().filter(|name| !SHARING.contains(name));
     let subjects: Vec<_> = own.flat_map(|&name| THREADS.map(|threads| (name, threads))).collect();
-    let mut found = vec![(Vec::new(), 0); subjects.len()];
+    let mut found = vec![(Vec::new(), Vec::new(), 0); subjects.len()];
     // The first repetition warms up.
     for rep in 0..=reps {
         for turn in 0..subjects.len() {
             let number = (turn + rep) % subjects.len();
             let (name, threads) = subjects[number];
-            if let Some((ms, bytes)) = build(scene, name, threads, libraries) {
-                found[number].1 = bytes;
+            if let Some((ms, wall_ms, bytes)) = build(scene, name, threads, libraries) {
+                found[number].2 = bytes;
                 if rep > 0 {
                     found[number].0.push(ms);
+                    found[number].1.push(wall_ms);
                 }
             }
         }
     }
     let triangles = scene.mesh.faces.len();
-    let built = subjects.into_iter().zip(found).filter_map(|((name, threads), (ms, bytes))| {
-        let found = (!ms.is_empty()).then(|| Spread::of(&ms))?;
-        Some(Build {
-            scene: scene.name.clone(),
-            triangles,
-            engine: name.to_owned(),
-            threads,
-            ms: found.median,
-            spread: [found.low, found.high],
-            bytes_per_triangle: bytes as f64 / triangles as f64,
-        })
-    });
+    let built =
+        subjects.into_iter().zip(found).filter_map(|((name, threads), (ms, wall_ms, bytes))| {
+            let found = (!ms.is_empty()).then(|| Spread::of(&ms))?;
+            Some(Build {
+                scene: scene.name.clone(),
+                triangles,
+                engine: name.to_owned(),
+                threads,
+                ms: found.median,
+                spread: [found.low, found.high],
+                wall_ms: Spread::of(&wall_ms).median,
+                bytes_per_triangle: bytes as f64 / triangles as f64,
+            })
+        });
     built.collect()
 }
 
-/// Builds once: CPU milliseconds, and the bytes kept. A library counts its own;
+/// Builds once: milliseconds of CPU and of the wall's clock, and the bytes kept. A library counts its own;
 /// what is built in Rust is seen by this program's allocator, and its input,
 /// which it may keep, is made by `prepare`.
 fn build(
@@ -60,14 +63,13 @@ fn build(
     name: &str,
     threads: usize,
     libraries: &Libraries,
-) -> Option<(f64, usize)> {
+) -> Option<(f64, f64, usize)> {
     let before = crate::ALLOCATOR.allocated();
     let job = libraries.prepare(name, threads, &scene.mesh).ok()?;
-    let start = process_seconds();
-    let engine = job().ok()?;
-    let ms = (process_seconds() - start) / MILLI;
+    let (engine, wall, cpu) = wall_and_processor(job);
+    let engine = engine.ok()?;
     let kept = crate::ALLOCATOR.allocated().saturating_sub(before);
-    Some((ms, engine.bytes().unwrap_or(kept)))
+    Some((cpu / MILLI, wall / MILLI, engine.bytes().unwrap_or(kept)))
 }
 
 #[cfg(test)]

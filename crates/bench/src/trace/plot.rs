@@ -14,9 +14,9 @@ const DRAWN: [(&str, &str); 8] = [
     ("embree4-high", "#2f9e44"),
     ("embree4-robust", "#1c7ed6"),
     ("embree4-packet16", "#9c36b5"),
-    ("obvhs", "#868e96"),
-    ("bvh", "#a39a8c"),
-    ("parry3d", "#7a8a99"),
+    ("obvhs", "#0ca678"),
+    ("bvh", "#a67c52"),
+    ("parry3d", "#74808c"),
 ];
 /// What text and lines are drawn in.
 const INK: &str = "#808890";
@@ -76,7 +76,7 @@ pub(crate) fn svg(rows: &[Row]) -> String {
         "bold",
         "Rays a second, as a multiple of embree4-avx2's",
     );
-    legend(&mut svg);
+    legend(&mut svg, &ratios);
     for tick in TICKS.into_iter().filter(|tick| (lowest..=highest).contains(tick)) {
         let (x, bottom) = (x(tick), height - MARGIN);
         text(&mut svg, (x, TOP + MARK), "middle", "normal", &format!("{tick}x"));
@@ -86,11 +86,13 @@ pub(crate) fn svg(rows: &[Row]) -> String {
     svg + &marks + "</svg>\n"
 }
 
-fn legend(svg: &mut String) {
+fn legend(svg: &mut String, ratios: &[(&Row, f64)]) {
     /// Engines in a row of the legend, and how wide each is.
     const COLUMNS: usize = 4;
     const COLUMN: f64 = PLOT_WIDTH / COLUMNS as f64;
-    for (number, (engine, _)) in DRAWN.iter().enumerate() {
+    let is_there = |name: &str| ratios.iter().any(|(row, _)| row.engine == name);
+    let engines = DRAWN.iter().map(|(name, _)| *name).filter(|name| is_there(name));
+    for (number, engine) in engines.enumerate() {
         let x = LEFT + MARK + COLUMN * (number % COLUMNS) as f64;
         let y = 2.0 * MARGIN + LINE * 0.8 * (number / COLUMNS) as f64;
         mark(svg, engine, (x, y), engine);

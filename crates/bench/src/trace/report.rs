@@ -42,6 +42,8 @@ pub(crate) struct Build {
     /// the most.
     pub(crate) ms: f64,
     pub(crate) spread: [f64; 2],
+    /// Milliseconds by the wall's clock: the median. Other programs move it.
+    pub(crate) wall_ms: f64,
     /// Bytes for each triangle that it keeps, its copy of the mesh with them.
     pub(crate) bytes_per_triangle: f64,
 }

@@ -81,6 +81,8 @@ pub(crate) fn means(report: &Report) -> String {
             ("embree4-packet16", &["primary", "shadow"]),
         ] {
             if let Some(ratio) = mean_ratio(&report.rows, engine, bar, rays) {
+                let is_there = |rays: &&&str| report.rows.iter().any(|row| row.rays == **rays);
+                let rays: Vec<&str> = rays.iter().filter(is_there).copied().collect();
                 let _ = writeln!(
                     text,
                     "{engine} / {bar}: {ratio:.3}x, geometric mean over all scenes of {}",
@@ -94,14 +96,18 @@ pub(crate) fn means(report: &Report) -> String {
 
 /// Building, of one scene.
 pub(crate) fn builds(builds: &[Build]) -> String {
-    let mut text = format!("{:<NAME$}{:>CELL$}{:>CELL$}\n", "built", "CPU ms", "bytes/triangle");
+    let mut text = format!(
+        "{:<NAME$}{:>CELL$}{:>CELL$}{:>CELL$}\n",
+        "built", "CPU ms", "wall ms", "bytes/triangle"
+    );
     for build in builds {
         let name = format!("{}, {} thr.", build.engine, build.threads);
         let of_same = |other: &&Build| other.engine == BAR && other.threads == build.threads;
         let ratio = builds.iter().find(of_same).map(|bar| build.ms / bar.ms);
         let ratio = ratio.map_or(String::new(), |ratio| format!(" {ratio:.2}x"));
         let ms = format!("{:.1}{ratio}", build.ms);
-        let _ = writeln!(text, "{name:<NAME$}{ms:>CELL$}{:>CELL$.1}", build.bytes_per_triangle);
+        let (wall, bytes) = (build.wall_ms, build.bytes_per_triangle);
+        let _ = writeln!(text, "{name:<NAME$}{ms:>CELL$}{wall:>CELL$.1}{bytes:>CELL$.1}");
     }
     text
 }
