@@ -4,7 +4,7 @@
 //! It promises the linear list's answers: what holds them may let a ray in that
 //! misses, never keep one out that a candidate's own formula would hit.
 
-use super::wide::{Leaf, Options, TimeScale, Visitor, Wide};
+use super::wide::{Candidates, Leaf, Options, TimeScale, Visitor, Wide};
 use super::{Candidate, LEAF};
 use crate::meter::Meter;
 use crate::simd::{Level, Simd, Work};
@@ -28,9 +28,10 @@ impl Bvh {
     pub fn new(boxes: &[Aabb], rounding: f64) -> Self {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
             (0..boxes.len() as u32).partition(|&i| boxes[i as usize].is_finite());
-        let finite: Vec<_> = bounded.iter().map(|&i| boxes[i as usize]).collect();
+        let finite = Boxes(bounded.iter().map(|&i| boxes[i as usize]).collect());
+        let options = Options { leaf_size: LEAF, extra: 0.0 };
         let mut order = Vec::with_capacity(bounded.len());
-        let wide = Wide::new(&finite, rounding, Options { leaf_size: LEAF }, |items| {
+        let wide = Wide::new(&finite, rounding, options, |items| {
             let place = order.len() as u32;
             order.extend(items.iter().map(|&item| bounded[item as usize]));
             Leaf::new(place, items.len() as u32)
@@ -79,6 +80,18 @@ impl Bvh {
 
     fn candidates(&self, leaf: Leaf) -> &[u32] {
         &self.order[leaf.place()..leaf.place() + leaf.count()]
+    }
+}
+
+/// Candidates of which nothing is known but their boxes.
+struct Boxes(Vec<Aabb>);
+
+impl Candidates for Boxes {
+    fn count(&self) -> u32 {
+        self.0.len() as u32
+    }
+    fn bounds(&self, number: u32) -> Aabb {
+        self.0[number as usize]
     }
 }
 

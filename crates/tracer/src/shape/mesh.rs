@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use super::triangle::{self, Shear};
 use super::{Contact, Departure, Geometry, SurfacePoint};
-use crate::accel::wide::{self, Leaf, MOST_PLACES, Wide};
+use crate::accel::wide::{Candidates, Leaf, MOST_PLACES, Options, Wide};
 use crate::accel::{Build, List};
 use crate::math::max_abs;
 use crate::meter::{Event, Meter, Unmetered};
@@ -20,6 +20,28 @@ use crate::refused::{point, refuse_unless};
 use crate::simd::Level;
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
 use blocks::{Blocks, LANES, NOBODY};
+
+/// How many places more than triangles there may be in the leaves, in shares of
+/// those: long triangles then stand in several.
+const EXTRA: f64 = 0.2;
+
+/// The triangles of these numbers, which have an area.
+struct Triangles<'a, F> {
+    numbers: &'a [u32],
+    corners: &'a F,
+}
+
+impl<F: Fn(u32) -> [DVec3; 3] + Sync> Candidates for Triangles<'_, F> {
+    fn count(&self) -> u32 {
+        self.numbers.len() as u32
+    }
+    fn bounds(&self, number: u32) -> Aabb {
+        triangle::bounds((self.corners)(self.numbers[number as usize]))
+    }
+    fn corners(&self, number: u32) -> Option<[DVec3; 3]> {
+        Some((self.corners)(self.numbers[number as usize]))
+    }
+}
 
 /// Normals at the corners of a mesh's triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,8 +152,9 @@ impl Mesh {
         let numbers: Vec<u32> =
             (0..faces.len() as u32).filter(|&i| has_area(&faces[i as usize])).collect();
         let corners = |number: u32| faces[number as usize].map(|i| vertices[i as usize]);
-        let boxes: Vec<_> = numbers.iter().map(|&i| triangle::bounds(corners(i))).collect();
-        let bounds = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let triangles = Triangles { numbers: &numbers, corners: &corners };
+        let boxes = (0..triangles.count()).map(|i| triangles.bounds(i));
+        let bounds = boxes.fold(Aabb::EMPTY, Aabb::union);
         let is_single = Blocks::are_single(&vertices);
         let mut blocks = Blocks::empty(is_single || build == Build::Fast);
         let order = if build == Build::List || numbers.len() <= FEW {
@@ -140,8 +163,8 @@ impl Mesh {
             }
             if build == Build::List { Order::List(List::new(faces.len())) } else { Order::Blocks }
         } else {
-            let options = wide::Options { leaf_size: LANES };
-            Order::Wide(Wide::new(&boxes, 1.0, options, |items| {
+            let options = Options { leaf_size: LANES, extra: EXTRA };
+            Order::Wide(Wide::new(&triangles, 1.0, options, |items| {
                 let mut four = [NOBODY; LANES];
                 for (number, &item) in four.iter_mut().zip(items) {
                     *number = numbers[item as usize];

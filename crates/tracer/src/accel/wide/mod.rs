@@ -9,10 +9,12 @@ mod node;
 mod slabs;
 mod walk;
 
-pub(crate) use build::Options;
+pub(crate) use build::{Candidates, Options};
 pub(crate) use node::{Leaf, MOST_PLACES};
 pub(crate) use slabs::TimeScale;
 pub(crate) use walk::Visitor;
+
+use glam::DVec3;
 
 use crate::math::power_of_two_below;
 use crate::meter::Meter;
@@ -44,35 +46,35 @@ pub(crate) struct Wide {
 }
 
 impl Wide {
-    /// The hierarchy over candidates with these boxes, all of them finite. Each
-    /// leaf is put where `leaf` says, which is told the numbers of its
-    /// candidates, of which there are at most `options.leaf_size`.
+    /// The hierarchy over these candidates. Each leaf is put where `leaf` says,
+    /// which is told the numbers of its candidates, of which there are at most
+    /// `options.leaf_size`.
     pub(crate) fn new(
-        boxes: &[Aabb],
+        candidates: &impl Candidates,
         rounding: f64,
         options: Options,
         mut leaf: impl FnMut(&[u32]) -> Leaf,
     ) -> Self {
-        let all = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let boxes = (0..candidates.count()).map(|i| candidates.bounds(i));
+        let all = boxes.reduce(Aabb::union).unwrap_or(Aabb { min: DVec3::ZERO, max: DVec3::ZERO });
         let scale = 1.0 / power_of_two_below(all.max_abs()).unwrap_or(1.0);
-        let scaled = |b: &Aabb| Aabb { min: b.min * scale, max: b.max * scale };
-        let extent = if boxes.is_empty() {
-            [0.0; 4]
-        } else {
-            let all = scaled(&all);
-            let [x, y, z] = all.min.abs().max(all.max.abs()).to_array();
-            [x, y, z, 0.0]
-        };
-        let tree = build::build(boxes.len() as u32, &|i| scaled(&boxes[i as usize]), options);
+        let [x, y, z] = (all.min.abs().max(all.max.abs()) * scale).to_array();
+        let tree = build::build(&Scaled { candidates, scale }, options);
         let nodes = tree.branches.iter().map(|branch| {
             Node::new(branch, |first, count| {
                 leaf(&tree.items[first as usize..(first + count) as usize])
             })
         });
         let nodes = nodes.collect();
-        let largest = extent.into_iter().fold(0.0, f64::max);
-        let farthest = slabs::FARTHEST * largest;
-        Self { nodes, scale, extent, largest, farthest, thickness: slabs::thickness(rounding) }
+        let largest = x.max(y).max(z);
+        Self {
+            nodes,
+            scale,
+            extent: [x, y, z, 0.0],
+            largest,
+            farthest: slabs::FARTHEST * largest,
+            thickness: slabs::thickness(rounding),
+        }
     }
 
     /// How many bytes it takes.
@@ -110,7 +112,7 @@ impl Wide {
                     let side =
                         |side: usize| [0, 1, 2].map(|axis| f64::from(node.planes[axis][side][k]));
                     let [min, max] =
-                        [0, 1].map(|upper| glam::DVec3::from_array(side(upper)) / self.scale);
+                        [0, 1].map(|upper| DVec3::from_array(side(upper)) / self.scale);
                     boxes.push(Aabb { min, max });
                 } else {
                     pending.push((child, level + 1));
@@ -118,5 +120,24 @@ impl Wide {
             }
         }
         boxes
+    }
+}
+
+/// Candidates times a power of two.
+struct Scaled<'a, C> {
+    candidates: &'a C,
+    scale: f64,
+}
+
+impl<C: Candidates> Candidates for Scaled<'_, C> {
+    fn count(&self) -> u32 {
+        self.candidates.count()
+    }
+    fn bounds(&self, number: u32) -> Aabb {
+        let Aabb { min, max } = self.candidates.bounds(number);
+        Aabb { min: min * self.scale, max: max * self.scale }
+    }
+    fn corners(&self, number: u32) -> Option<[DVec3; 3]> {
+        Some(self.candidates.corners(number)?.map(|corner| corner * self.scale))
     }
 }

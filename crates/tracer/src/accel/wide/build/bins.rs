@@ -60,6 +60,8 @@ pub(super) struct Cut {
     pub bounds: [Bounds; 2],
     /// How many references the left side has.
     pub left: usize,
+    /// The sum over both sides of area times blocks.
+    pub cost: f32,
 }
 
 impl Cut {
@@ -80,18 +82,29 @@ pub(super) struct Bins {
 }
 
 impl Bins {
-    /// The bins of a set.
-    pub(super) fn of(grid: Grid, references: &[Reference]) -> Self {
-        let empty = Self { bounds: [[Bounds::EMPTY; 3]; BINS], counts: [[0; 4]; BINS], grid };
+    /// Bins without references.
+    pub(super) fn empty() -> Self {
+        let grid = Grid { base: Vec4::ZERO, scale: Vec4::ZERO, count: BINS };
+        Self { bounds: [[Bounds::EMPTY; 3]; BINS], counts: [[0; 4]; BINS], grid }
+    }
+
+    /// Makes these the bins of a set, whatever they were before.
+    pub(super) fn refill(&mut self, grid: Grid, references: &[Reference]) {
+        self.grid = grid;
+        self.bounds[..grid.count].fill([Bounds::EMPTY; 3]);
+        self.counts[..grid.count].fill([0; 4]);
+        self.fill(references);
+    }
+
+    /// The same for a large set, in parallel.
+    pub(super) fn refill_side_by_side(&mut self, grid: Grid, references: &[Reference]) {
         let filled = |some| {
-            let mut bins = empty;
-            bins.fill(some);
+            let mut bins = Self::empty();
+            bins.refill(grid, some);
             bins
         };
-        if references.len() < 2 * CHUNK {
-            return filled(references);
-        }
-        references.par_chunks(CHUNK).map(filled).reduce(|| empty, |a, b| a.union(&b))
+        let empty = || Self { grid, ..Self::empty() };
+        *self = references.par_chunks(CHUNK).map(filled).reduce(empty, |a, b| a.union(&b));
     }
 
     /// Puts references into their bins.
@@ -144,7 +157,8 @@ impl Bins {
             }
         }
         let axis = (1..3).fold(0, |axis, k| if least[k] < least[axis] { k } else { axis });
-        (least[axis] < f32::INFINITY).then(|| self.cut(axis, best[axis]))
+        (least[axis] < f32::INFINITY)
+            .then(|| Cut { cost: least[axis], ..self.cut(axis, best[axis]) })
     }
 
     #[inline]
@@ -169,6 +183,7 @@ impl Bins {
             grid: self.grid,
             last: Vec4::from_array(place),
             bounds: [all(left), all(right)],
+            cost: 0.0,
             left: self.counts[..=last].iter().map(|n| n[axis] as usize).sum(),
         }
     }

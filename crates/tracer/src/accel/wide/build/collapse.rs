@@ -9,6 +9,8 @@ use super::{Box32, Branch, Child, Tree, WIDTH};
 /// Levels of branches on which children are the ones that cost least. Below,
 /// they are those three binary levels down.
 pub(super) const FREE_LEVELS: usize = 16;
+/// A guess that is rarely too high, for the room that branches take.
+const ITEMS_PER_BRANCH: usize = 16;
 /// The binary logarithm of [`WIDTH`].
 pub(super) const LEVELS_PER_BRANCH: usize = 3;
 
@@ -16,6 +18,7 @@ pub(super) const LEVELS_PER_BRANCH: usize = 3;
 pub(super) fn collapse(grown: &Grown, units: Units) -> Tree {
     let mut walk = Walk { units, from: &grown.items, tree: Tree::default() };
     walk.tree.items.reserve(grown.items.len());
+    walk.tree.branches.reserve(grown.items.len() / ITEMS_PER_BRANCH);
     walk.branch(Place::of(&grown.root), 0);
     walk.tree
 }

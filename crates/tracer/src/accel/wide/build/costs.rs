@@ -6,11 +6,8 @@
 
 use super::WIDTH;
 
-/// What a visit to a branch costs, in visits to a leaf.
-const BRANCH: f32 = 1.0;
-
-/// `least[n - 1]` is the least cost as at most `n` children, each a branch or a
-/// leaf.
+/// `least[n - 1]` is the least sum of branches' half areas as at most `n`
+/// children, each a branch or a leaf.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Costs {
     least: [f32; WIDTH],
@@ -33,10 +30,9 @@ impl Shares {
 }
 
 impl Costs {
-    /// Those of a leaf of one block.
-    pub(super) fn leaf(half_area: f32) -> Self {
-        Self { least: [half_area; WIDTH] }
-    }
+    /// Those of a leaf: what leaves cost is the same whichever branches there
+    /// are, and left out.
+    pub(super) const LEAF: Self = Self { least: [0.0; WIDTH] };
 
     /// Those of an inner node with these two sides.
     pub(super) fn inner(half_area: f32, left: &Self, right: &Self) -> (Self, Shares) {
@@ -53,7 +49,7 @@ impl Costs {
             }
             least[n - 1] = best;
         }
-        let as_branch = half_area * BRANCH + least[WIDTH - 1];
+        let as_branch = half_area + least[WIDTH - 1];
         least[0] = as_branch;
         shares[0] = 0;
         for n in 2..WIDTH {

@@ -1,11 +1,14 @@
 //! Growing a binary tree: sets are cut in two until they are leaves.
 
-use super::Options;
+use glam::Vec3;
+
 use super::bins::{BINS, Bins, Cut, Grid};
 use super::bounds::Bounds;
 use super::costs::{Costs, Shares};
 use super::partition::{Set, halve, partition};
 use super::reference::Reference;
+use super::space::Space;
+use super::spatial::{Knife, best_plane, cut_along};
 
 /// Below this many levels sets are halved by count.
 const FREE_LEVELS: usize = 38;
@@ -15,6 +18,18 @@ const HALVINGS: usize = 32;
 pub(super) const MAX_BINARY_LEVELS: usize = FREE_LEVELS + HALVINGS;
 /// Sets of this size and larger are grown side by side.
 const TASK: usize = 4096;
+/// A set from this size on is looked at by all threads.
+const SHARED: usize = 1 << 16;
+/// Planes are looked for where the boxes of the best cut's sides have in common
+/// this share of the set's width in each axis: along one in which they part
+/// more clearly, a plane would part them no better,
+const THICK: f32 = 0.2;
+/// and this share of the whole tree's area: less is not met by enough rays.
+const LEAST_OVERLAP: f32 = 1e-4;
+/// A plane is taken if it costs less than this share of the best cut.
+const GAIN: f32 = 0.95;
+/// After so many sets in vain, one in another, there is none worth looking for.
+const PATIENCE: u32 = 2;
 /// The fewest bins, and the references for each one more.
 const MIN_BINS: usize = 8;
 const PER_BIN: usize = 8;
@@ -48,64 +63,57 @@ pub(super) struct Grown {
     pub items: Vec<u32>,
 }
 
-/// The binary tree over some references, of which there is at least one.
-pub(super) fn grow(mut references: Vec<Reference>, options: Options) -> Grown {
-    let mut spare = vec![Reference::NONE; references.len()];
+/// The binary tree over a set of at least one reference, which are first in the
+/// vector; what else is in it is room for more.
+pub(super) fn grow(
+    mut references: Vec<Reference>,
+    count: u32,
+    set: &Set,
+    block_shift: u32,
+    knife: Knife<'_>,
+) -> Grown {
+    let mut there = Reference::blanks(references.len());
     let mut items = vec![0; references.len()];
-    let set = Set::of(&references);
-    let grower = Grower { block_shift: options.leaf_size.max(1).ilog2() };
-    let space =
-        Space { here: &mut references, there: &mut spare, items: &mut items, first: 0, level: 0 };
-    let (root, _) = grower.part(space, &set);
+    let least_overlap = LEAST_OVERLAP * set.bounds.half_area();
+    let grower = Grower { block_shift, knife, least_overlap };
+    let space = Space {
+        here: &mut references,
+        there: &mut there,
+        items: &mut items,
+        first: 0,
+        start: 0,
+        count: count as usize,
+        level: 0,
+        misses: 0,
+    };
+    let (root, _) = grower.part(space, set);
     Grown { root, items }
 }
 
-/// Where a set is, and where its sides may go.
-struct Space<'a> {
-    /// The set's references.
-    here: &'a mut [Reference],
-    /// Room for as many.
-    there: &'a mut [Reference],
-    /// Theirs among the tree's items, and where these start.
-    items: &'a mut [u32],
-    first: u32,
-    level: usize,
+/// What a task keeps at hand.
+struct Work {
+    nodes: Vec<Node>,
+    bins: Bins,
 }
 
-impl<'a> Space<'a> {
-    /// That of both sides, after the set was put from `here` to `there`.
-    fn split(self, left: usize) -> [Space<'a>; 2] {
-        let (here, spare) = self.there.split_at_mut(left);
-        let (there, spare_there) = self.here.split_at_mut(left);
-        let (items, spare_items) = self.items.split_at_mut(left);
-        let (first, level) = (self.first, self.level + 1);
-        [
-            Space { here, there, items, first, level },
-            Space {
-                here: spare,
-                there: spare_there,
-                items: spare_items,
-                first: first + left as u32,
-                level,
-            },
-        ]
-    }
-}
-
-struct Grower {
+struct Grower<'a> {
     /// The binary logarithm of a leaf's size.
     block_shift: u32,
+    knife: Knife<'a>,
+    /// The least area in common for which planes are looked for.
+    least_overlap: f32,
 }
 
-impl Grower {
+impl Grower<'_> {
     /// The tree over a set, the sides of large ones at the same time.
     fn part(&self, space: Space<'_>, set: &Set) -> (Part, Costs) {
-        if space.here.len() < TASK {
-            let mut nodes = Vec::new();
-            let costs = self.node(space, set, &mut nodes);
-            return (Part::Small(nodes), costs);
+        if space.count < TASK {
+            let nodes = Vec::with_capacity(space.count);
+            let mut work = Work { nodes, bins: Bins::empty() };
+            let costs = self.node(space, set, &mut work);
+            return (Part::Small(work.nodes), costs);
         }
-        let (sides, [left_space, right_space]) = self.cut(space, set);
+        let (sides, [left_space, right_space]) = self.cut(space, set, &mut Bins::empty());
         let ((left, left_costs), (right, right_costs)) =
             rayon::join(|| self.part(left_space, &sides[0]), || self.part(right_space, &sides[1]));
         let (costs, shares) = Costs::inner(set.bounds.half_area(), &left_costs, &right_costs);
@@ -113,45 +121,106 @@ impl Grower {
     }
 
     /// Appends the tree over a set.
-    fn node(&self, space: Space<'_>, set: &Set, nodes: &mut Vec<Node>) -> Costs {
+    fn node(&self, space: Space<'_>, set: &Set, work: &mut Work) -> Costs {
         let bounds = set.bounds;
-        let count = space.here.len();
-        if count <= 1 << self.block_shift {
-            for (item, reference) in space.items.iter_mut().zip(&*space.here) {
-                *item = reference.number();
-            }
-            space.items.sort_unstable();
-            let kind = Kind::Leaf { first: space.first, count: count as u32 };
-            nodes.push(Node { bounds, kind });
-            return Costs::leaf(bounds.half_area());
+        if space.count <= 1 << self.block_shift {
+            work.nodes.push(Node { bounds, kind: leaf(space) });
+            return Costs::LEAF;
         }
-        let index = nodes.len();
-        nodes.push(Node { bounds, kind: Kind::Leaf { first: 0, count: 0 } });
-        let (sides, [left_space, right_space]) = self.cut(space, set);
-        let left = self.node(left_space, &sides[0], nodes);
-        let right_index = nodes.len();
-        let right = self.node(right_space, &sides[1], nodes);
+        let index = work.nodes.len();
+        work.nodes.push(Node { bounds, kind: Kind::Leaf { first: 0, count: 0 } });
+        let (sides, [left_space, right_space]) = self.cut(space, set, &mut work.bins);
+        let left = self.node(left_space, &sides[0], work);
+        let right_index = work.nodes.len();
+        let right = self.node(right_space, &sides[1], work);
         let (costs, shares) = Costs::inner(bounds.half_area(), &left, &right);
-        nodes[index].kind = Kind::Inner { right: (right_index - index) as u32, shares };
+        work.nodes[index].kind = Kind::Inner { right: (right_index - index) as u32, shares };
         costs
     }
 
     /// Cuts a set of at least two.
-    fn cut<'a>(&self, space: Space<'a>, set: &Set) -> ([Set; 2], [Space<'a>; 2]) {
-        let best = if space.level < FREE_LEVELS { self.best_cut(space.here, set) } else { None };
+    fn cut<'a>(
+        &self,
+        mut space: Space<'a>,
+        set: &Set,
+        bins: &mut Bins,
+    ) -> ([Set; 2], [Space<'a>; 2]) {
+        let best =
+            if space.level < FREE_LEVELS { self.best_cut(space.set(), set, bins) } else { None };
         if let Some(cut) = best {
-            let sides = partition(space.here, space.there, &cut);
-            return (sides, space.split(cut.left));
+            if let Some((sides, [left, right])) = self.cut_along(&mut space, set, &cut) {
+                return (sides, space.split(left, right));
+            }
+            let (left, right) = (cut.left, space.count - cut.left);
+            let (from, to) = space.set_and_room();
+            let sides = partition(from, to, &cut);
+            return (sides, space.split(left, right));
         }
-        let left = halve(space.here, set, 1 << self.block_shift);
-        space.there.copy_from_slice(space.here);
-        let (left_ones, right_ones) = space.here.split_at(left);
-        let sides = [Set::of(left_ones), Set::of(right_ones)];
-        (sides, space.split(left))
+        let (from, to) = space.set_and_room();
+        let left = halve(from, set, 1 << self.block_shift);
+        let right = from.len() - left;
+        let start = to.len() - right;
+        to[..left].copy_from_slice(&from[..left]);
+        to[start..].copy_from_slice(&from[left..]);
+        let sides = [Set::of(&from[..left]), Set::of(&from[left..])];
+        (sides, space.split(left, right))
     }
 
-    fn best_cut(&self, references: &[Reference], set: &Set) -> Option<Cut> {
+    fn best_cut(&self, references: &[Reference], set: &Set, bins: &mut Bins) -> Option<Cut> {
         let count = (MIN_BINS + references.len() / PER_BIN).min(BINS);
-        Bins::of(Grid::new(set.centers, count), references).best_cut(self.block_shift)
+        let grid = Grid::new(set.centers, count);
+        if references.len() < SHARED {
+            bins.refill(grid, references);
+        } else {
+            bins.refill_side_by_side(grid, references);
+        }
+        bins.best_cut(self.block_shift)
     }
+
+    /// Cuts along a plane, if that is so much better than `cut` that it is
+    /// worth the room that it takes.
+    fn cut_along(
+        &self,
+        space: &mut Space<'_>,
+        set: &Set,
+        cut: &Cut,
+    ) -> Option<([Set; 2], [usize; 2])> {
+        if space.spare() == 0 || space.misses == PATIENCE {
+            return None;
+        }
+        let [left, right] = cut.bounds;
+        let overlap = left.overlap(right);
+        let thickness = (overlap.hi - overlap.lo) / (set.bounds.hi - set.bounds.lo);
+        // NaN, and so not thick, where the set is flat.
+        let is_thick = thickness.truncate().cmpge(Vec3::splat(THICK)).all();
+        if !is_thick || overlap.half_area() < self.least_overlap {
+            return None;
+        }
+        space.misses += 1;
+        let plane = best_plane(set, space.set(), &self.knife, self.block_shift)?;
+        if !(plane.cost < GAIN * cut.cost) {
+            return None;
+        }
+        let (from, to) = space.set_and_room();
+        let cut = cut_along(plane, from, to, &self.knife)?;
+        space.misses = 0;
+        Some(cut)
+    }
+}
+
+/// A leaf of the set's candidates, of whose parts one stands for all.
+pub(super) fn leaf(space: Space<'_>) -> Kind {
+    let Space { here, start, items, first, mut count, .. } = space;
+    let items = &mut items[..count];
+    for (item, reference) in items.iter_mut().zip(&here[start..]) {
+        *item = reference.number();
+    }
+    items.sort_unstable();
+    for k in (1..count).rev() {
+        if items[k] == items[k - 1] {
+            items.copy_within(k..count, k - 1);
+            count -= 1;
+        }
+    }
+    Kind::Leaf { first, count: count as u32 }
 }

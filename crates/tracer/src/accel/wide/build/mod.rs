@@ -2,9 +2,11 @@
 //! nodes have up to eight children.
 //!
 //! The way there, one file each: `units` makes `f32` boxes that hold the `f64`
-//! ones, `bins` finds where to cut a set in two, `partition` cuts it, `grow`
-//! does so until sets are leaves, which gives a binary tree, and reckons on the
-//! way back which of its nodes to leave out, and `collapse` leaves them out.
+//! ones, `bins` finds where to cut a set in two by its members' centers and
+//! `partition` does it, `spatial` cuts along a plane instead where that pays,
+//! and the members on it with `clip`; `grow` goes on until sets are leaves,
+//! which gives a binary tree, and reckons with `costs` which of its nodes to
+//! leave out; `collapse` leaves them out.
 //!
 //! Every box is conservative, rounded outwards. The tree is a function of the
 //! candidates alone: whatever is chosen depends on sets, through counts,
@@ -12,16 +14,22 @@
 
 mod bins;
 mod bounds;
+mod clip;
 mod collapse;
 mod costs;
 mod grow;
 mod partition;
 mod reference;
+mod space;
+mod spatial;
 mod units;
 
 #[cfg(test)]
 mod tests;
 
+use glam::DVec3;
+
+use self::spatial::Knife;
 use crate::Aabb;
 
 /// Children of a node.
@@ -78,7 +86,9 @@ pub(crate) struct Tree {
     /// The root first, then in the order of a walk that goes down before it
     /// goes on; none where there are no candidates.
     pub branches: Vec<Branch>,
-    /// Candidates' numbers, leaf after leaf in the order of that walk.
+    /// Candidates' numbers, leaf after leaf in the order of that walk. One that
+    /// was split is in several leaves, but in each once; of the boxes of these
+    /// leaves each holds a part of it, and all together the whole.
     pub items: Vec<u32>,
 }
 
@@ -89,15 +99,35 @@ pub(crate) struct Options {
     /// of a leaf, and the unit in which the surface area heuristic counts them.
     /// Taken down to a power of two.
     pub leaf_size: usize,
+    /// How many items there may be above the number of candidates, in shares
+    /// of that: with any, candidates that reach far go to several leaves, each
+    /// of which has a part of them in its box, where that pays. 0 for none.
+    pub extra: f64,
 }
 
-/// The tree over the candidates from 0 up to `count`, of which `bounds` gives
-/// the finite boxes.
-pub(crate) fn build(count: u32, bounds: &(impl Fn(u32) -> Aabb + Sync), options: Options) -> Tree {
+/// What a tree is built of.
+pub(crate) trait Candidates: Sync {
+    /// How many there are; they are numbered from 0.
+    fn count(&self) -> u32;
+    /// The box of one, which is finite.
+    fn bounds(&self, number: u32) -> Aabb;
+    /// The corners of one that is a triangle.
+    fn corners(&self, _: u32) -> Option<[DVec3; 3]> {
+        None
+    }
+}
+
+/// The tree over some candidates.
+pub(crate) fn build(candidates: &impl Candidates, options: Options) -> Tree {
+    let count = candidates.count();
     if count == 0 {
         return Tree::default();
     }
-    let (units, references) = units::references(count, bounds);
-    let grown = grow::grow(references, options);
+    // Saturating, and 0 for NaN; references are counted in 32 bits.
+    let spare = ((f64::from(count) * options.extra) as usize).min((u32::MAX - count) as usize);
+    let bounds = |number| candidates.bounds(number);
+    let (units, references, set) = units::references(count, &bounds, spare);
+    let knife = Knife { units, corners: &|number| candidates.corners(number) };
+    let grown = grow::grow(references, count, &set, options.leaf_size.max(1).ilog2(), knife);
     collapse::collapse(&grown, units)
 }

@@ -1,6 +1,6 @@
 //! Putting the two sides of a cut apart.
 
-use glam::Vec4;
+use glam::BVec4A;
 
 use super::bins::Cut;
 use super::bounds::Bounds;
@@ -16,35 +16,48 @@ pub(super) struct Set {
 }
 
 impl Set {
+    pub(super) const EMPTY: Self = Self { bounds: Bounds::EMPTY, centers: Bounds::EMPTY };
+
     /// What holds these references.
     pub(super) fn of(references: &[Reference]) -> Self {
-        let empty = Self { bounds: Bounds::EMPTY, centers: Bounds::EMPTY };
-        references.iter().fold(empty, |all, r| Self {
-            bounds: all.bounds.union(r.bounds()),
-            centers: all.centers.with(r.center()),
-        })
+        references.iter().fold(Self::EMPTY, Self::with)
+    }
+
+    /// What holds one more.
+    #[inline]
+    pub(super) fn with(self, reference: &Reference) -> Self {
+        Self {
+            bounds: self.bounds.union(reference.bounds()),
+            centers: self.centers.with(reference.center()),
+        }
+    }
+
+    /// What holds both sets.
+    pub(super) fn union(self, other: Self) -> Self {
+        Self { bounds: self.bounds.union(other.bounds), centers: self.centers.union(other.centers) }
     }
 }
 
-/// Puts the references `from` into the slice `to`, which is as long: those on
-/// the left side of the cut first.
+/// Puts the references `from` into the slice `to`, which has room for them:
+/// those on the left side of the cut at its start, the others at its end.
 pub(super) fn partition(from: &[Reference], to: &mut [Reference], cut: &Cut) -> [Set; 2] {
-    let mut centers = [Bounds::EMPTY; 2];
+    let (mut left, mut right) = (Bounds::EMPTY, Bounds::EMPTY);
     // Where the next one of the left and of the right side goes. It is written
     // to both, as a branch could not be foretold.
     let (mut next, mut end) = (0, to.len());
     for reference in from {
-        let center: Vec4 = reference.center();
+        let center = reference.center();
         let is_left = cut.is_left(center);
         to[next] = *reference;
         to[end - 1] = *reference;
         next += usize::from(is_left);
         end -= usize::from(!is_left);
-        let side = &mut centers[usize::from(!is_left)];
-        *side = side.with(center);
+        let on_left = BVec4A::from([is_left; 4]);
+        left = Bounds::select(on_left, left.with(center), left);
+        right = Bounds::select(on_left, right, right.with(center));
     }
-    let side = |k: usize| Set { bounds: cut.bounds[k], centers: centers[k] };
-    [side(0), side(1)]
+    let side = |k: usize, centers| Set { bounds: cut.bounds[k], centers };
+    [side(0, left), side(1, right)]
 }
 
 /// Puts about half of the references first, by their centers along the axis

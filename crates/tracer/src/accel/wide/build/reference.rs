@@ -2,9 +2,12 @@
 //! of it that one place of the tree is concerned with.
 
 use glam::Vec4;
+use rayon::prelude::*;
 
 use super::bounds::Bounds;
 
+/// Places are made by this many at a time.
+const CHUNK: usize = 1 << 14;
 /// Bits of a candidate's number that each of the two fourth lanes carries.
 const HALF: u32 = 16;
 /// Makes them the last bits of a number between 1 and 2, which no arithmetic
@@ -16,7 +19,15 @@ const ONE: u32 = 0x3f80_0000;
 pub(super) struct Reference(Bounds);
 
 impl Reference {
-    pub(super) const NONE: Self = Self(Bounds { lo: Vec4::ONE, hi: Vec4::ONE });
+    /// Stands where there is none yet.
+    const NONE: Self = Self(Bounds { lo: Vec4::ONE, hi: Vec4::ONE });
+
+    /// So many places for references.
+    pub(super) fn blanks(count: usize) -> Vec<Self> {
+        // By all threads, as it is each page's first touch that takes time.
+        let blanks = (0..count).into_par_iter().with_min_len(CHUNK);
+        blanks.map(|_| Self::NONE).collect()
+    }
 
     pub(super) fn new(min: [f32; 3], max: [f32; 3], number: u32) -> Self {
         let [low, high] = [number & ((1 << HALF) - 1), number >> HALF];

@@ -1,10 +1,12 @@
 //! `Units`: lengths in which a scene's boxes are neither so large nor so small
 //! that the products of the surface area heuristic leave the range of `f32`.
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::Box32;
 use super::bounds::Bounds;
+use super::partition::Set;
 use super::reference::Reference;
 use crate::Aabb;
 
@@ -25,27 +27,29 @@ pub(super) struct Units {
     scale: f64,
 }
 
-/// The candidates as references, in units that suit them.
+/// The candidates as references at the start of a vector, which is as many
+/// longer as `spare`, in units that suit them, and what is around them.
 pub(super) fn references(
     count: u32,
     bounds: &(impl Fn(u32) -> Aabb + Sync),
-) -> (Units, Vec<Reference>) {
-    let units = Units { scale: 1.0 };
-    let references = units.convert(count, bounds);
-    let all = references
-        .par_chunks(CHUNK)
-        .map(|some| some.iter().fold(Bounds::EMPTY, |all, r| all.union(r.bounds())))
-        .reduce(|| Bounds::EMPTY, Bounds::union);
-    let largest = all.lo.abs().max(all.hi.abs()).truncate().max_element();
+    spare: usize,
+) -> (Units, Vec<Reference>, Set) {
+    let mut references = Reference::blanks(count as usize + spare);
+    let set = Units::SCENE.convert(bounds, &mut references[..count as usize]);
+    let largest = set.bounds.lo.abs().max(set.bounds.hi.abs()).truncate().max_element();
     if largest == 0.0 || (1.0 / USUAL..=USUAL).contains(&largest) {
-        return (units, references);
+        return (Units::SCENE, references, set);
     }
     let largest = (0..count).map(|i| bounds(i).max_abs()).fold(0.0, f64::max);
     let units = Units::of(largest);
-    (units, units.convert(count, bounds))
+    let set = units.convert(bounds, &mut references[..count as usize]);
+    (units, references, set)
 }
 
 impl Units {
+    /// The scene's own.
+    pub(super) const SCENE: Self = Self { scale: 1.0 };
+
     /// Those in which `largest`, which is finite and not negative, is from 1 to
     /// 2, or as close to it as [`MAX_EXPONENT`] allows.
     pub(super) fn of(largest: f64) -> Self {
@@ -54,16 +58,29 @@ impl Units {
         Self { scale: f64::from_bits(((power + EXPONENT_BIAS).cast_unsigned()) << EXPONENT_SHIFT) }
     }
 
-    fn convert(self, count: u32, bounds: &(impl Fn(u32) -> Aabb + Sync)) -> Vec<Reference> {
-        let reference = |i| {
-            let Aabb { min, max } = bounds(i);
-            Reference::new(
-                min.to_array().map(|x| self.below(x)),
-                max.to_array().map(|x| self.above(x)),
-                i,
-            )
+    /// Puts the references of the candidates from 0 on into their places.
+    fn convert(self, bounds: &(impl Fn(u32) -> Aabb + Sync), references: &mut [Reference]) -> Set {
+        let fill = |(chunk, places): (usize, &mut [Reference])| {
+            let mut set = Set::EMPTY;
+            for (k, place) in places.iter_mut().enumerate() {
+                let number = chunk * CHUNK + k;
+                let Aabb { min, max } = bounds(number as u32);
+                *place = Reference::new(
+                    [self.below(min.x), self.below(min.y), self.below(min.z)],
+                    [self.above(max.x), self.above(max.y), self.above(max.z)],
+                    number as u32,
+                );
+                set = set.with(place);
+            }
+            set
         };
-        (0..count).into_par_iter().with_min_len(CHUNK).map(reference).collect()
+        let chunks = references.par_chunks_mut(CHUNK).enumerate();
+        chunks.map(fill).reduce(|| Set::EMPTY, Set::union)
+    }
+
+    /// A point of the scene in these units, rounded where it underflows.
+    pub(super) fn convert_point(self, point: DVec3) -> DVec3 {
+        point * self.scale
     }
 
     /// The highest `f32` that in these units is not above `x`.

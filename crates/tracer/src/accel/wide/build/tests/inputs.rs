@@ -33,8 +33,46 @@ pub(super) fn cluster_row(clusters: usize, each: usize) -> Vec<Aabb> {
     (0..clusters * each).map(one).collect()
 }
 
+/// Cubes, and among them long bars along each axis.
+pub(super) fn bars_and_cubes(count: usize) -> Vec<Aabb> {
+    let mut rng = Rng::with_seed(12);
+    let one = |i: usize| {
+        let min = [(); 3].map(|()| f64::from(rng.u8(0..250)));
+        let mut max = min.map(|x| x + 1.0);
+        if i.is_multiple_of(10) {
+            max[i % 3] = min[i % 3] + 128.0;
+        }
+        Aabb { min: min.into(), max: max.into() }
+    };
+    (0..count).map(one).collect()
+}
+
+/// Long thin triangles across a cube, whose corners are whole numbers of up to
+/// 12 bits times `scale`, a power of two.
+pub(super) fn slivers(count: usize, scale: f64) -> Vec<[DVec3; 3]> {
+    let mut rng = Rng::with_seed(13);
+    let mut whole = |from: f64, to: u16| from + f64::from(rng.u16(0..to));
+    let one = |i: usize| {
+        // Most are small, as in a mesh of something with long beams.
+        let length = if i.is_multiple_of(4) { 3000 } else { 40 };
+        let a = [(); 3].map(|()| whole(-1500.0, 3000));
+        let b = a.map(|x| whole(x - f64::from(length / 2), length));
+        let c = b.map(|x| whole(x, 20));
+        [a, b, c].map(|p| DVec3::from_array(p) * scale)
+    };
+    (0..count).map(one).collect()
+}
+
 fn scaled(boxes: &[Aabb], by: f64) -> Vec<Aabb> {
     boxes.iter().map(|b| Aabb { min: by * b.min, max: by * b.max }).collect()
+}
+
+/// Points on each axis, of which each is 40 times closer to the origin than the
+/// one before: no cut takes away more than one.
+fn peeled() -> Vec<Aabb> {
+    let distances = (0..25).map(|i| (0..i).fold(1.0, |x: f64, _| x / 40.0));
+    let on_axes = |x| DVec3::AXES.map(|axis| Aabb::around([x * axis]));
+    distances.flat_map(on_axes).collect()
 }
 
 /// Boxes of which each is twice as large and twice as far as the one before.
@@ -78,6 +116,7 @@ pub(super) fn all_inputs() -> Vec<Input> {
         input("far from the origin", far.collect()),
         input("exponential", exponential(2000, -1000)),
         input("exponential, subnormal", exponential(1000, -1074)),
+        input("peeled", peeled()),
         input("beyond f32", scaled(&random, 1e200)),
         input("below f32", scaled(&random, 1e-200)),
         input("ends of f32", scaled(&random, f64::from(f32::MAX))),

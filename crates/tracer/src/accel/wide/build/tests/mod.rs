@@ -1,18 +1,32 @@
 //! Properties of every tree, over kind inputs and nasty ones.
 
 mod inputs;
+mod parts;
 mod rounding;
 
 use glam::DVec3;
 
 use self::inputs::{Input, all_inputs, cluster_row, random_boxes};
-use super::{Box32, Branch, Child, MAX_DEPTH, Options, Tree, WIDTH, build};
+use super::grow::{self, Kind};
+use super::reference::Reference;
+use super::space::Space;
+use super::{Box32, Branch, Candidates, Child, MAX_DEPTH, Options, Tree, WIDTH, build};
 use crate::Aabb;
 
-const OPTIONS: Options = Options { leaf_size: 4 };
+const OPTIONS: Options = Options { leaf_size: 4, extra: 0.0 };
+
+impl Candidates for &[Aabb] {
+    fn count(&self) -> u32 {
+        self.len() as u32
+    }
+
+    fn bounds(&self, number: u32) -> Aabb {
+        self[number as usize]
+    }
+}
 
 fn tree_of(boxes: &[Aabb], options: Options) -> Tree {
-    build(boxes.len() as u32, &|i| boxes[i as usize], options)
+    build(&boxes, options)
 }
 
 fn holds(outer: Box32, inner: Aabb) -> bool {
@@ -84,7 +98,7 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
 fn every_candidate_is_in_a_leaf_inside_of_all_boxes_above() {
     for Input { name, boxes } in all_inputs() {
         for leaf_size in [1, 2, 4, 8] {
-            let tree = tree_of(&boxes, Options { leaf_size });
+            let tree = tree_of(&boxes, Options { leaf_size, ..OPTIONS });
             let levels = check(&tree, &boxes, leaf_size as u32);
             assert!(levels <= MAX_DEPTH, "{name}: {levels} levels");
         }
@@ -110,21 +124,55 @@ fn no_candidates_make_no_tree_and_one_makes_one_leaf() {
 }
 
 #[test]
-fn eight_far_clusters_of_four_are_the_eight_leaves_of_one_branch() {
-    let boxes = cluster_row(WIDTH, 4);
-    let tree = tree_of(&boxes, OPTIONS);
-    assert_eq!(tree.branches.len(), 1);
-    for child in tree.branches[0].children {
-        let Child::Leaf { first, count: 4 } = child else { panic!("{child:?}") };
-        let clusters = tree.items[first as usize..first as usize + 4].iter().map(|i| i / 4);
-        assert!(clusters.clone().all(|c| Some(c) == clusters.clone().next()));
+fn eight_far_clusters_are_the_eight_leaves_of_one_branch() {
+    // Of three, halving by count would mix them.
+    for each in [3, 4] {
+        let tree = tree_of(&cluster_row(WIDTH, each as usize), OPTIONS);
+        assert_eq!(tree.branches.len(), 1);
+        for child in tree.branches[0].children {
+            let Child::Leaf { first, count } = child else { panic!("{child:?}") };
+            let clusters = tree.items[first as usize..(first + count) as usize].iter();
+            let clusters: Vec<_> = clusters.map(|i| i / each).collect();
+            assert_eq!(clusters, vec![clusters[0]; each as usize]);
+        }
     }
 }
 
 #[test]
 fn sixty_four_far_clusters_fill_nine_branches() {
-    let boxes = cluster_row(WIDTH * WIDTH, 4);
-    assert_eq!(tree_of(&boxes, OPTIONS).branches.len(), 1 + WIDTH);
+    for each in [3, 4] {
+        assert_eq!(tree_of(&cluster_row(WIDTH * WIDTH, each), OPTIONS).branches.len(), 1 + WIDTH);
+    }
+}
+
+#[test]
+fn a_leaf_has_a_candidate_once_of_which_it_has_several_parts() {
+    let mut here = [7, 2, 7, 7].map(|number| Reference::new([0.0; 3], [1.0; 3], number));
+    let (mut there, mut items) = (here, [0; 4]);
+    let space = Space {
+        here: &mut here,
+        there: &mut there,
+        items: &mut items,
+        first: 50,
+        start: 0,
+        count: 4,
+        level: 0,
+        misses: 0,
+    };
+    assert!(matches!(grow::leaf(space), Kind::Leaf { first: 50, count: 2 }));
+    assert_eq!(items[..2], [2, 7]);
+}
+
+#[test]
+fn boxes_that_are_no_triangles_are_split_as_boxes() {
+    let boxes = inputs::bars_and_cubes(3000);
+    let options = Options { extra: 0.5, ..OPTIONS };
+    let tree = tree_of(&boxes, options);
+    assert!(tree.items.len() > boxes.len(), "nothing was split");
+    parts::check_covers(&tree, boxes.len(), |number, rng| {
+        let Aabb { min, max } = boxes[number as usize];
+        min + (max - min) * DVec3::from_array([(); 3].map(|()| f64::from(rng.u8(0..=64)) / 64.0))
+    });
 }
 
 #[test]
