@@ -1,12 +1,7 @@
-//! The bench's files beside its own build: what it is given, keeps and asks of
-//! other programs.
+//! The bench's files: what it writes and reads beside its own build.
 
+use std::fs;
 use std::path::{Path, PathBuf};
-
-use harness::store;
-
-/// The most bytes that are read of any of them: a picture of the largest size.
-const MAX_BYTES: u64 = 2 << 30;
 
 /// The folder of this crate's build, which holds everything that the bench
 /// installs, keeps and throws away.
@@ -21,16 +16,35 @@ pub(crate) fn peers() -> PathBuf {
 
 /// The bytes of a file, or why they cannot be had.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let bytes = store::read(path, MAX_BYTES).map_err(|why| why.to_string())?;
-    bytes.ok_or_else(|| format!("{}: expected a file, found none", path.display()))
+    fs::read(path).map_err(|why| format!("{}: cannot be read: {why}", path.display()))
 }
 
 /// The bytes of a file that need not be there.
 pub(crate) fn read_kept(path: &Path) -> Option<Vec<u8>> {
-    store::read(path, MAX_BYTES).ok().flatten()
+    fs::read(path).ok()
 }
 
 /// Writes a file, and the folders that it lies in.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    store::write(path, bytes).map_err(|why| why.to_string())
+    let write = || {
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        fs::write(path, bytes)
+    };
+    write().map_err(|why| format!("{}: cannot be written: {why}", path.display()))
 }
+
+/// What lies in a folder, in the order of names; nothing where there is none.
+pub(crate) fn entries(folder: &Path) -> Vec<PathBuf> {
+    let found = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<_> = found.map(|entry| entry.path()).collect();
+    paths.sort();
+    paths
+}
+
+/// Makes a folder, and those that it lies in.
+pub(crate) fn make_folder(path: &Path) -> Result<(), String> {
+    fs::create_dir_all(path).map_err(|why| format!("{}: cannot be made: {why}", path.display()))
+}
+

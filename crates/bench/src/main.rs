@@ -10,6 +10,8 @@ mod instructions;
 mod kernels;
 mod machine;
 mod measure;
+mod meshes;
+mod peers;
 mod place;
 mod plot;
 mod random;
@@ -22,6 +24,10 @@ mod trace;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+
+/// Counts what is allocated, so that a mesh can be said to take so many bytes.
+#[global_allocator]
+static ALLOCATOR: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::System, usize::MAX);
 
 /// Measure goldray on this machine, alone and beside its peers.
 #[derive(Debug, Parser)]
@@ -37,6 +43,8 @@ enum What {
     Trace(trace::Args),
     /// Seconds to a picture of a given error, beside other renderers
     Image(image::Args),
+    /// Other people's tracers and meshes: what is there; `--install` fetches them
+    Peers(peers::Args),
     /// Nanoseconds of each test that a ray is held against
     Kernels(kernels::Args),
     /// Times against primitives, pixels, lights and threads, with their slopes
@@ -56,6 +64,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().what {
         What::Trace(args) => trace::run(&args).map(|()| ExitCode::SUCCESS),
         What::Image(args) => image::run(&args).map(|()| ExitCode::SUCCESS),
+        What::Peers(args) => peers::run(&args).map(|()| ExitCode::SUCCESS),
         What::Kernels(args) => kernels::run(&args),
         What::Scaling(args) => scaling::run(&args),
         What::Check(args) => check::run(&args),
