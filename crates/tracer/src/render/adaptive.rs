@@ -15,10 +15,11 @@
 
 use rayon::prelude::*;
 
+use super::{begun, sample};
 use crate::meter::{Event, Meter, Work};
 use crate::plan::Candidates;
 use crate::scene::Look;
-use crate::{Interval, LinearImage, Plan, Rgb, Scene, Size};
+use crate::{LinearImage, Plan, Rgb, Scene, Size};
 
 /// Cells are not cut below a 64th of a pixel: 4096 in all, as many as a grid
 /// may have samples.
@@ -76,13 +77,10 @@ pub(super) fn picture<M: Meter + Default + Send>(
 
 /// The look at the middle of a pixel.
 fn survey(scene: &Scene, plan: &Plan, (i, j): (u32, u32), work: &Work<impl Meter>) -> Look {
-    let candidates = plan.candidates(i, j);
-    if candidates == Candidates::None {
-        work.count(Event::SkippedPixel);
-        return Look::nothing(scene.background());
+    match begun(plan, (i, j), work) {
+        Candidates::None => Look::nothing(scene.background()),
+        candidates => look(scene, candidates, (i, j), (0, 0, 0), work),
     }
-    work.count(Event::Pixel);
-    look(scene, candidates, (i, j), (0, 0, 0), work)
 }
 
 /// The look at the sample of a cell of pixel `(i, j)`.
@@ -97,8 +95,7 @@ fn look(
     let (right, up) = (in_cell(level, x, y, SPREAD[0]), in_cell(level, y, x, SPREAD[1]));
     let a = window_coordinate((i, width), (level, x, right), camera.view_width());
     let b = window_coordinate((j, height), (level, y, up), camera.view_height());
-    work.count(Event::EyeRay);
-    scene.trace_among(candidates, &camera.ray(a, b), Interval::AHEAD, work)
+    sample(scene, candidates, [a, b], work)
 }
 
 /// Where on the window, from its middle, a sample is: in one of `n` pixels, one

@@ -5,8 +5,8 @@ use glam::{DVec3, dvec3};
 use super::*;
 use crate::shape::{AxisBox, Shape, Sphere, Triangle};
 use crate::{
-    Camera, Convention, Falloff, Group, Light, Material, Member, Object, Projection, SampleGrid,
-    SceneParts, Show, Skipping, Stats, View, render, render_counted,
+    Camera, Convention, Falloff, Filter, Group, Light, Material, Member, Object, Projection,
+    Samples, SceneParts, Show, Skipping, Stats, View, render, render_counted,
 };
 
 /// A white thing on black, seen along z: a pixel is a unit.
@@ -22,7 +22,8 @@ fn silhouette(shape: Shape, samples: u32, error: Option<f64>) -> Scene {
     Scene::new(SceneParts {
         camera: Camera::new(&view, Projection::Parallel).unwrap(),
         size: SIZE,
-        samples: SampleGrid::new(samples).unwrap(),
+        samples: Samples::grid(samples).unwrap(),
+        filter: Filter::BOX,
         error,
         world: Group::world(vec![Member::Object(Object::new(shape, Material::Normal))]),
         lights: vec![],
@@ -165,7 +166,8 @@ fn shadows_and_highlights_are_refined_and_skipping_changes_no_bit() {
         Scene::new(SceneParts {
             camera: *plain.camera(),
             size: SIZE,
-            samples: SampleGrid::new(samples).unwrap(),
+            samples: Samples::grid(samples).unwrap(),
+            filter: Filter::BOX,
             error,
             world: Group::world(vec![member(floor.into()), member(ball.into())]),
             lights: vec![light],
@@ -201,7 +203,7 @@ fn the_error_is_one_that_can_be_asked_for() {
     }
     assert!(plain.with_error(f64::NAN).is_err());
     let refused = Scene::new(SceneParts {
-        samples: SampleGrid::new(4).unwrap(),
+        samples: Samples::grid(4).unwrap(),
         error: Some(0.1),
         ..plain.with_error(0.1).unwrap().parts().clone()
     });
