@@ -37,13 +37,16 @@ pub(super) struct Spread {
     /// The mean of its samples.
     pub(super) mean: Rgb,
     /// For each pixel in reach, by rows from the lower left, itself in the
-    /// middle.
+    /// middle; none for a box, of which the mean is all.
     pub(super) splats: Vec<Splat>,
 }
 
 impl Spread {
     /// `to(right, up)` is what a pixel so far away gets.
     pub(super) fn new(filter: Filter, mean: Rgb, to: impl Fn(f64, f64) -> Splat) -> Self {
+        if filter == Filter::BOX {
+            return Self { mean, splats: Vec::new() };
+        }
         let reach = filter.reach();
         let steps = || (0..=2 * reach).map(|k| f64::from(k) - f64::from(reach));
         let splats = steps().flat_map(|up| steps().map(move |right| (right, up)));

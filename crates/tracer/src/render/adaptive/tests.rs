@@ -2,6 +2,7 @@
 
 use glam::{DVec3, dvec3};
 
+use super::survey::contrast;
 use super::*;
 use crate::shape::{AxisBox, Shape, Sphere, Triangle};
 use crate::{
