@@ -28,6 +28,10 @@ pub struct Known {
 /// Odd and even, and no multiple of a tile.
 const SIZE: Size = Size { width: 93, height: 70 };
 
+/// The corners of "one box". No coordinate here is a short fraction, of which some
+/// grid of samples would be exact.
+pub const BOX: (Point, Point) = ([-31.317, -20.643], [30.829, 19.457]);
+
 impl Known {
     /// A scene of these things, of which pixels show as much as `share` says of
     /// the unit square with this lower left corner, from the picture's middle.
@@ -87,7 +91,7 @@ impl Known {
 pub fn known_pictures() -> Result<Vec<Known>, Refused> {
     Ok(vec![
         disks("one ball", &[([0.31, -0.17], 29.37)])?,
-        upright("one box", &[([-31.3, -20.6], [30.8, 19.45])])?,
+        upright("one box", &[(BOX.0, BOX.1)])?,
         polygons("slanted edges", &[vec![[-41.0, -30.2], [39.7, -17.1], [2.3, 31.6]]])?,
         disks("many balls", &scattered_disks(7, [0.6, 4.0]))?,
         disks("specks", &scattered_disks(8, [0.15, 0.45]))?,
@@ -100,8 +104,8 @@ pub fn known_pictures() -> Result<Vec<Known>, Refused> {
             ],
         )?,
         upright("bars", &bars())?,
-        checkers("checker", 7.3)?,
-        checkers("fine checker", 2.6)?,
+        checkers("checker", 7.317)?,
+        checkers("fine checker", 2.617)?,
     ])
 }
 
@@ -170,11 +174,11 @@ fn scattered_disks(seed: u64, [least, most]: [f64; 2]) -> Vec<(Point, f64)> {
 /// middle in them.
 fn bars() -> Vec<(Point, Point)> {
     let upright = (0..9).map(|k| {
-        let x = -43.0 + 4.61 * f64::from(k);
+        let x = -43.013 + 4.617 * f64::from(k);
         ([x, -30.4], [x + 0.1 * f64::from(k + 1), 30.3])
     });
     let lying = (0..9).map(|k| {
-        let y = -30.0 + 6.37 * f64::from(k);
+        let y = -30.027 + 6.371 * f64::from(k);
         ([5.2, y], [40.7, y + 0.07 * f64::from(k + 1)])
     });
     upright.chain(lying).collect()

@@ -73,17 +73,23 @@ pub(super) fn picture<M: Meter + Default + Send>(
     let few = (1.0 - CALM_PART) * pixels.len() as f64 / todo.len().max(1) as f64;
     let allowed = asked * few.sqrt().min(WORST);
     let mut begun: BTreeMap<At, Begun> = BTreeMap::new();
-    let mut cut = BTreeMap::new();
+    let mut cut: BTreeMap<At, Spread> = BTreeMap::new();
     while !todo.is_empty() {
         let mut these = Vec::new();
         // All are begun before any is cut further: cells at a border are held
         // against those beyond it.
         while !todo.is_empty() {
             let made = in_batches(&todo, &mut meters, &work, |at, work| {
-                let made = match (plan.candidates(at.0, at.1), begun.get(&at)) {
-                    (Candidates::None, _) => Begun::nothing(scene, allowed),
-                    (candidates, None) => Begun::new(scene, at, candidates, allowed, work),
-                    (candidates, Some(begun)) => begun.again(scene, at, candidates, work),
+                let made = match plan.candidates(at.0, at.1) {
+                    Candidates::None => Begun::nothing(scene, allowed),
+                    candidates => {
+                        let begun = Begun::new(scene, at, candidates, allowed, work);
+                        if cut.is_empty() {
+                            begun
+                        } else {
+                            begun.searched(scene, at, candidates, allowed, work)
+                        }
+                    }
                 };
                 let unlike = made.unlike(&survey, at);
                 (made, unlike)

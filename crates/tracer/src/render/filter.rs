@@ -91,7 +91,7 @@ impl Filter {
     }
 
     /// `f(x)`: how much a sample at this distance along one axis counts.
-    pub(crate) fn density(self, x: f64) -> f64 {
+    pub fn density(self, x: f64) -> f64 {
         let t = x.abs() / self.radius;
         if t >= 1.0 {
             return 0.0;
@@ -107,7 +107,7 @@ impl Filter {
 
     /// The integral of `f` between two distances: how much of all that counts
     /// lies there.
-    pub(crate) fn share(self, lo: f64, hi: f64) -> f64 {
+    pub fn share(self, lo: f64, hi: f64) -> f64 {
         // Odd, so that mirrored distances give the same bits.
         let from_middle = |x: f64| {
             let t = (x.abs() / self.radius).min(1.0);

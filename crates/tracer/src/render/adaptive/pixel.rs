@@ -73,15 +73,21 @@ impl Begun {
         Self::of_level(scene, at, candidates, Self::level(allowed), work)
     }
 
-    /// The same, with finer cells.
-    pub(super) fn again(
-        &self,
+    /// The same in a pixel beside one that shows something else along their
+    /// border: with finer cells, until they show that too or what they may hide
+    /// does not count.
+    pub(super) fn searched(
+        mut self,
         scene: &Scene,
         at: (u32, u32),
         candidates: Candidates,
+        allowed: f64,
         work: &Work<impl Meter>,
     ) -> Self {
-        Self::of_level(scene, at, candidates, self.level + 1, work)
+        while self.may_hide_something(allowed) {
+            self = Self::of_level(scene, at, candidates, self.level + 1, work);
+        }
+        self
     }
 
     fn of_level(
