@@ -24,7 +24,22 @@ fn slope(from: (u32, f64), to: (u32, f64)) -> f64 {
     libm::log2(to.1 / from.1) / libm::log2(f64::from(to.0) / f64::from(from.0))
 }
 
-const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
+/// Without `--release`, as many as take no time.
+const COUNTS: &[u32] =
+    if cfg!(debug_assertions) { &[1, 4, 16, 64] } else { &[1, 4, 16, 64, 256, 1024] };
+
+/// The errors of so many samples, and how fast they fall from four on.
+fn errors(known: &Known, sampler: Sampler) -> (Vec<f64>, f64) {
+    let errors: Vec<_> =
+        COUNTS.iter().map(|n| measure(known, &sampled(known, sampler, *n)).0).collect();
+    let last = COUNTS.len() - 1;
+    let rate = slope((COUNTS[1], errors[1]), (COUNTS[last], errors[last]));
+    (errors, rate)
+}
+
+fn shown(errors: &[f64]) -> String {
+    errors.iter().map(|error| format!("{error:9.2e}")).collect::<Vec<_>>().join(" ")
+}
 
 #[test]
 fn samplers_converge_at_their_rates() {
@@ -35,26 +50,28 @@ fn samplers_converge_at_their_rates() {
             ("sobol", Sampler::Sobol { seed: 1 }),
         ];
         for (name, sampler) in samplers {
-            let errors = COUNTS.map(|n| measure(&known, &sampled(&known, sampler, n)).0);
-            let rate = slope((COUNTS[1], errors[1]), (COUNTS[4], errors[4]));
-            let shown = errors.map(|error| format!("{error:9.2e}")).join(" ");
-            println!("{:14} {name:10} {shown}  rate {rate:.2}", known.name);
+            let (errors, rate) = errors(&known, sampler);
+            println!("{:14} {name:10} {}  rate {rate:.2}", known.name, shown(&errors));
             // An edge is cut by n^(1/2) of n cells, of which each is off by 1/n: a
             // rate of -3/4 where they are off independently of each other. A grid
             // has -1/2 where an edge runs along its rows: then all are off alike.
             let slowest = if sampler == Sampler::Grid { -0.45 } else { -0.65 };
             assert!(rate < slowest, "{} {name}: {rate}", known.name);
             // It is the truth that they converge to.
-            assert!(errors[4] < 0.02, "{} {name}: {errors:?}", known.name);
+            assert!(errors[3] < 0.03, "{} {name}: {errors:?}", known.name);
         }
     }
 }
 
-/// The smallest number of rays a pixel by which a grid is as good.
+/// The rays a pixel of the smallest of some grids that is as good; `None` if
+/// none is.
 fn grid_as_good(known: &Known, error: f64) -> Option<f64> {
-    let sides = [1_u32, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32];
-    let mut grids = sides.iter().map(|n| measure(known, &sampled(known, Sampler::Grid, n * n)));
-    grids.find(|(found, _)| *found <= error).map(|(_, rays)| rays)
+    let mut grids =
+        [2_u32, 4, 6, 8, 12, 16].map(|side| sampled(known, Sampler::Grid, side * side)).into_iter();
+    grids.find_map(|scene| {
+        let (found, rays) = measure(known, &scene);
+        (found <= error).then_some(rays)
+    })
 }
 
 #[test]
@@ -62,23 +79,17 @@ fn adaptive_pictures_keep_their_word_at_a_fifth_of_the_rays() {
     for known in known_pictures().unwrap() {
         for error in [1e-2, 3e-3, 1e-3] {
             let (found, rays) = measure(&known, &known.scene.with_error(error).unwrap());
-            let grid = grid_as_good(&known, found.max(error));
-            let ratio = grid.map_or(">32 x 32".to_owned(), |grid| format!("{:.1}", grid / rays));
-            println!(
-                "{:14} {error:7.0e} found {found:8.2e} rays {rays:6.1} grid/rays {ratio}",
-                known.name
-            );
+            println!("{:14} {error:5.0e}: found {found:8.2e}, {rays:.1} rays a pixel", known.name);
             // Slivers that taper to nothing are lost where they are narrower than
             // a 16th of a pixel.
-            let kept = if known.name == "needles" { 2.0 } else { 0.9 };
+            let kept = if known.name == "needles" { 2.0 } else { 1.0 };
             assert!(found <= kept * error, "{} {error}: {found}", known.name);
-            if error <= 1e-3 {
-                assert!(
-                    grid.is_none_or(|grid| grid >= 5.0 * rays),
-                    "{}: {rays} {grid:?}",
-                    known.name
-                );
+            if error > 1e-3 {
+                continue;
             }
+            let grid = grid_as_good(&known, found.max(error));
+            println!("{:14} a grid that is as good: {grid:?}", known.name);
+            assert!(grid.is_none_or(|grid| grid >= 5.0 * rays), "{}: {rays} {grid:?}", known.name);
         }
     }
 }
@@ -110,10 +121,9 @@ fn filters_converge_to_the_integral_of_their_weights() {
         let truth = filtered_truth(filter, &breaks, &known);
         let exact = Known { name, scene: known.scene.with_filter(filter).unwrap(), truth };
         for sampler in [Sampler::Stratified { seed: 2 }, Sampler::Sobol { seed: 2 }] {
-            let errors = COUNTS.map(|n| measure(&exact, &sampled(&exact, sampler, n)).0);
-            let rate = slope((COUNTS[1], errors[1]), (COUNTS[4], errors[4]));
-            println!("{name:10} {sampler:?} {errors:?} rate {rate:.2}");
-            assert!(rate < -0.65 && errors[4] < 2e-3, "{name} {sampler:?}: {rate} {errors:?}");
+            let (errors, rate) = errors(&exact, sampler);
+            println!("{name:10} {sampler:?} {} rate {rate:.2}", shown(&errors));
+            assert!(rate < -0.65 && errors[3] < 4e-3, "{name} {sampler:?}: {rate} {errors:?}");
         }
         for error in [1e-2, 1e-3] {
             let found = measure(&exact, &exact.scene.with_error(error).unwrap()).0;

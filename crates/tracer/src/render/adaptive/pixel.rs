@@ -102,10 +102,12 @@ impl Begun {
     }
 
     /// Whether it shows one thing only, and may hide a strip of another that is
-    /// half as wide as a cell and covers more than `allowed`.
+    /// half as wide as a cell and covers far more than `allowed`: what is there
+    /// mostly is the end of an edge, which is less.
     fn may_hide_something(&self, allowed: f64) -> bool {
+        const MOSTLY: f64 = 8.0;
         let strip = 0.5 / f64::from(1 << self.level);
-        let is_finest = self.level == FINEST_BEGUN || strip < 2.0 * allowed;
+        let is_finest = self.level == FINEST_BEGUN || strip < MOSTLY * allowed;
         !is_finest && self.looks.iter().all(|look| is_alike(&self.looks[0], look))
     }
 
