@@ -122,7 +122,8 @@ mod tests {
     fn what_is_not_asked_for_stays() {
         let text = "(version: 1, image: (8, 6), samples_per_pixel: 16, sampler: Sobol(seed: 3),
             filter: Tent(), camera: LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 40))";
-        let loaded = scene::load::<scene::Unchecked>(text, &scene::NoAssets, Default::default());
+        let loaded =
+            scene::load::<scene::Unchecked>(text, &scene::NoAssets, tracer::accel::Build::Bvh);
         let scene = loaded.unwrap().scene;
         let with = |overrides: Overrides| overrides.apply(&scene);
         assert_eq!(with(Overrides::default()).unwrap(), scene);

@@ -73,7 +73,7 @@ fn in_cell(cell: u32, side: u32, drawn: u32) -> u32 {
     let first = |cell: u32| (u64::from(cell) << 32).div_ceil(side.into());
     let (lo, hi) = (first(cell), first(cell + 1));
     // Below `hi`, which is 2^32 at most.
-    (lo + ((hi - lo) * u64::from(drawn) >> 32)) as u32
+    (lo + (((hi - lo) * u64::from(drawn)) >> 32)) as u32
 }
 
 /// Point `k` of Sobol's sequence in two dimensions, in [`PARTS`].

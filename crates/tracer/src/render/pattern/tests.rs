@@ -44,7 +44,7 @@ fn every_elementary_interval_holds_one_point_of_sobol() {
 fn every_cell_holds_one_stratified_sample() {
     for side in [1_u32, 2, 3, 7, 10, 64] {
         let points = points(Sampler::Stratified { seed: 5 }, side * side, (3, 4));
-        let cell = |part: u32| (u64::from(part) * u64::from(side) >> 32) as u32;
+        let cell = |part: u32| ((u64::from(part) * u64::from(side)) >> 32) as u32;
         for (k, [x, y]) in (0..).zip(points) {
             assert_eq!((cell(x), cell(y)), (k % side, k / side), "{side}");
         }
@@ -60,7 +60,7 @@ fn turns(depth: u32, key: u64) -> impl Iterator<Item = i32> {
     (0..1_u32 << depth).map(move |prefix| {
         let x = prefix.reverse_bits();
         let turned = (scrambled(x, key) ^ x) >> (31 - depth) & 1;
-        2 * turned as i32 - 1
+        2 * i32::from(turned == 1) - 1
     })
 }
 
