@@ -3,7 +3,7 @@
 //!
 //! White things on black under a parallel camera that looks along z, a pixel
 //! being a unit: what a pixel shows is how much of it is covered, which
-//! [`coverage`](crate::truth::coverage) says.
+//! [`coverage`] says.
 
 use tracer::glam::{DVec3, dvec3};
 use tracer::shape::{AxisBox, Shape, Sphere, Triangle};

@@ -4,13 +4,14 @@
 //!
 //! A pixel that is not alike all around ([`survey`]), or where something so
 //! narrow may be that no middle sees it ([`narrow`]), is cut into cells
-//! ([`pixel`]). What is found at its border may be unlike what the pixel beside it
+//! ([`begun`], [`pixel`]). What is found at its border may be unlike what the pixel beside it
 //! shows, as where a wire passes between middles: then that one is cut as well,
 //! and so on along the wire.
 //!
 //! What is decided follows from what was looked at and nothing else, and in a
 //! mirrored picture is decided alike.
 
+mod begun;
 mod narrow;
 mod pixel;
 mod place;
@@ -27,8 +28,9 @@ use crate::meter::{Event, Meter, Work};
 use crate::plan::Candidates;
 use crate::scene::Look;
 use crate::{LinearImage, Plan, Rgb, Scene, Size};
+use begun::Begun;
 use narrow::Narrow;
-use pixel::{Begun, Known, Pixel};
+use pixel::{Known, Pixel};
 use place::Place;
 use survey::Survey;
 
