@@ -398,4 +398,19 @@ fn render_explains_counts_and_skips_nothing_if_asked() {
     assert!(adaptive == with && counts["counts"]["pixels_refined"].as_u64() > Some(0));
     let ran = tree.run(&["render", "square", "--error", "0", "--out", "p.exr"]).expect_code(2);
     ran.expect("expected a number from 1e-6 to 1");
+    // Other samples than the scene asks for.
+    let (_, counts) = counted(&["--no-skip", "--samples", "5", "--sampler", "sobol:7"]);
+    assert_eq!(counts["counts"]["eye_rays"], 5 * 16 * 12);
+    assert!(counted(&["--filter", "tent"]).0 == with && counted(&["--filter", "tent:2"]).0 != with);
+    let refused = |flags: &[&str], why: &str| {
+        let args = [&["render", "square", "--out", "p.exr"][..], flags];
+        tree.run(&args.concat()).expect_code(2).expect(why);
+    };
+    refused(&["--samples", "5"], "a square number");
+    refused(&["--filter", "tent:9"], "a number of pixels from 0.5 to 4, found 9");
+    refused(&["--sampler", "halton"], "expected grid, stratified or sobol");
+    refused(&["--error", "0.1", "--samples", "4"], "cannot be used with");
+    let flags = ["render", "square", "--explain", "--sampler", "stratified", "--filter", "tent"];
+    let ran = tree.run(&flags).expect_code(0).expect("1 sample stratified a pixel");
+    ran.expect("tent filter of radius 1: a pixel is made of the samples of 3 x 3 pixels");
 }

@@ -22,6 +22,7 @@ pub mod golden;
 pub mod judge;
 pub mod limits;
 pub mod metric;
+pub mod overrides;
 pub mod picture;
 pub mod picture_file;
 pub mod report;

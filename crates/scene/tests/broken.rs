@@ -33,6 +33,9 @@ broken! {
     slips_of_the_hand: "syntax.ron",
     files_and_sizes: "files.ron",
     a_file_cut_short: "cut-short.ron",
+    samplers_and_filters: "sampling.ron",
+    numbers_of_samples_and_radii: "samples.ron",
+    samples_beside_an_error: "samples-and-error.ron",
 }
 
 #[test]

@@ -10,7 +10,7 @@ const SCENE: &str = r#"// A comment.
     version: 1, image: (8, 6),
     camera: Perspective(view_point: (5, 4, 3), view_dir: (-5, -4, -3), proj_normal: (5, 4, 3)),
     shading: Radiometric, exposure: 1e1, shadows: false, show: Depth(near: 0.5, far: 9),
-    samples_per_pixel: 4, encoding: Srgb, background: (0.1, 0.2, 0.3),
+    samples_per_pixel: 4, sampler: Sobol(seed: 3), filter: Mitchell(radius: 1.5), encoding: Srgb, background: (0.1, 0.2, 0.3),
     materials: { "red": BlinnPhong(specular: (1, 0, 0), exponent: 20), "b": Named("red") },
     objects: [
         Sphere(center: (0, 0, 0), radius: 1, material: Named("b")),

@@ -18,6 +18,7 @@ pub mod case;
 pub mod family;
 pub mod kept;
 pub mod kernel;
+pub mod known;
 pub mod matrix;
 pub mod meshes;
 pub mod metric;

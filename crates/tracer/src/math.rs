@@ -190,6 +190,16 @@ pub(crate) fn tan(angle: f64) -> f64 {
     libm::tan(angle)
 }
 
+/// `e^x`, correct to below one unit in the last place.
+pub(crate) fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// The error function, correct to below one unit in the last place.
+pub(crate) fn erf(x: f64) -> f64 {
+    libm::erf(x)
+}
+
 /// Sine and cosine of an angle in degrees, exact at every quarter turn.
 pub(crate) fn sin_cos_deg(angle_deg: f64) -> (f64, f64) {
     let quarter_turns = (angle_deg / 90.0).round();

@@ -129,15 +129,24 @@ impl Census {
     fn notes(&self, scene: &Scene, tiles: &Tiles) -> Vec<String> {
         let mut notes = Vec::new();
         let (seen, all) = tiles.counts();
-        let samples = scene.samples().samples_per_pixel();
+        let samples = scene.samples().words();
         let more = match scene.error() {
             None => String::new(),
-            Some(error) => format!(" and more where neighbors differ, up to an error of {error}"),
+            Some(error) => format!(", more where neighbors differ, up to an error of {error}"),
         };
         notes.push(format!(
             "eye rays: {samples} a pixel{more}, in {seen} of {all} tiles of {SIDE} x {SIDE} pixels, held \
              against what the tile may show; the others are background"
         ));
+        let reach = scene.filter().reach();
+        notes.push(match reach {
+            0 => format!("{}: a pixel is made of its own samples", scene.filter().words()),
+            _ => format!(
+                "{}: a pixel is made of the samples of {side} x {side} pixels",
+                scene.filter().words(),
+                side = 2 * reach + 1
+            ),
+        });
         let (mut there, mut not_there) = (Vec::new(), Vec::new());
         for kind in Event::ALL {
             let Some(words) = kind.primitive() else { continue };

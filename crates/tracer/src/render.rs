@@ -1,50 +1,24 @@
 //! `render`: the lecture's two loops over the pixels, on all threads.
 
 mod adaptive;
+mod film;
+mod filter;
+mod pattern;
+mod samples;
+
+pub use filter::Filter;
+pub use samples::{Sampler, Samples};
+
+use std::ops::{Add, Mul};
 
 use rayon::prelude::*;
 
 use crate::meter::{Counter, Event, Meter, Stats, Unmetered, Work};
 use crate::plan::Candidates;
-use crate::refused::refuse_unless;
-use crate::{Interval, LinearImage, Plan, Refused, Rgb, Scene, Size, Skipping, pixel_center};
-
-/// A regular grid of samples in each pixel: `side` by `side`, each in the
-/// middle of its cell. One sample is the lecture's pixel center.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SampleGrid {
-    side: u32,
-}
-
-impl SampleGrid {
-    /// One sample, in the middle of the pixel.
-    pub const ONE: Self = Self { side: 1 };
-
-    /// The most samples in a pixel.
-    pub const MAX: u32 = 4_096;
-
-    /// The grid of this many samples a pixel, a square number.
-    ///
-    /// # Errors
-    /// Refuses (as `samples_per_pixel`) other numbers, 0, and absurdly many.
-    pub fn new(samples_per_pixel: u32) -> Result<Self, Refused> {
-        let side = samples_per_pixel.isqrt();
-        let accepted =
-            (1..=Self::MAX).contains(&samples_per_pixel) && side * side == samples_per_pixel;
-        Refused::unless([refuse_unless(
-            accepted,
-            "samples_per_pixel",
-            format!("a square number from 1 to {}, such as 1, 4, 9 or 16", Self::MAX),
-            || samples_per_pixel.to_string(),
-        )])?;
-        Ok(Self { side })
-    }
-
-    /// How many samples a pixel has.
-    pub fn samples_per_pixel(self) -> u32 {
-        self.side * self.side
-    }
-}
+use crate::scene::Look;
+use crate::{Interval, LinearImage, Plan, Rgb, Scene, Size, Skipping};
+use film::Spread;
+use pattern::spot;
 
 /// Renders the scene. The picture's bits depend on the scene alone, not on
 /// the number of threads; rows are shared out among those of rayon's current
@@ -66,27 +40,30 @@ pub fn render_counted(scene: &Scene, plan: &Plan) -> (LinearImage, Stats) {
     (picture, stats)
 }
 
-/// The picture, and a meter for each row.
+/// The picture, and the meters of those who made it.
 fn picture<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImage, Vec<M>) {
-    if let Some(error) = scene.error() {
-        return adaptive::picture(scene, plan, error);
+    match scene.error() {
+        Some(error) => adaptive::picture(scene, plan, error),
+        None if scene.filter() == Filter::BOX => boxed(scene, plan),
+        None => filtered(scene, plan),
     }
+}
+
+/// The picture whose pixels are the means of their own samples.
+fn boxed<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImage, Vec<M>) {
     let Size { width, height } = scene.size();
-    let nothing = mean(scene, |_, _| scene.background());
+    let mean = Mean::of_scene(scene);
+    let nothing = mean.of(|_| scene.background());
     let rows: Vec<(Vec<Rgb>, M)> = (0..height)
         .into_par_iter()
         .map(|y| {
             // The lecture's row 0 is the lowest, the picture's the highest.
             let j = height - 1 - y;
             let work = Work::new(M::default(), plan.skipping(), scene.lights().len());
-            let pixel = |i| {
-                let candidates = plan.candidates(i, j);
-                if candidates == Candidates::None {
-                    work.count(Event::SkippedPixel);
-                    return nothing;
-                }
-                work.count(Event::Pixel);
-                pixel(scene, candidates, (i, j), &work)
+            let pixel = |i| match begun(plan, (i, j), &work) {
+                Candidates::None => nothing,
+                candidates => mean
+                    .of(|k| sample(scene, candidates, spot(scene, (i, j), k).window, &work).color),
             };
             ((0..width).map(pixel).collect(), work.meter)
         })
@@ -95,41 +72,92 @@ fn picture<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImag
     (picture, rows.into_iter().map(|(_, meter)| meter).collect())
 }
 
-/// The mean of the samples of pixel `(i, j)`, row 0 at the bottom.
-fn pixel(
-    scene: &Scene,
-    candidates: Candidates,
-    (i, j): (u32, u32),
-    work: &Work<impl Meter>,
-) -> Rgb {
-    let Size { width, height } = scene.size();
-    let SampleGrid { side } = scene.samples();
-    let camera = scene.camera();
-    mean(scene, |column, row| {
-        let b = pixel_center(j * side + row, height * side, camera.view_height());
-        let a = pixel_center(i * side + column, width * side, camera.view_width());
-        work.count(Event::EyeRay);
-        scene.trace_among(candidates, &camera.ray(a, b), Interval::AHEAD, work).color
+/// The picture whose pixels are weighted means of the samples around.
+fn filtered<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImage, Vec<M>) {
+    // Exposed in the end.
+    let mean = Mean { exposure: 1.0, ..Mean::of_scene(scene) };
+    let spread = |at, color: &dyn Fn([f64; 2]) -> Rgb| {
+        let samples = 0..scene.samples().samples_per_pixel();
+        let spots = samples.map(|k| spot(scene, at, k));
+        let seen: Vec<_> = spots.map(|spot| (color(spot.window), spot.offset)).collect();
+        Spread::of_samples(scene.filter(), mean, &seen)
+    };
+    let nothing = |at| spread(at, &|_| scene.background());
+    // On a grid, every pixel that shows nothing shows the same.
+    let on_grid = scene.samples().sampler() == Sampler::Grid;
+    let same_nothing = on_grid.then(|| nothing((0, 0)));
+    film::picture(scene, |j| {
+        let work = Work::new(M::default(), plan.skipping(), scene.lights().len());
+        let pixel = |i| match (begun(plan, (i, j), &work), &same_nothing) {
+            (Candidates::None, Some(same)) => same.clone(),
+            (Candidates::None, None) => nothing((i, j)),
+            (candidates, _) => {
+                spread((i, j), &|window| sample(scene, candidates, window, &work).color)
+            }
+        };
+        ((0..scene.size().width).map(pixel).collect(), work.meter)
     })
 }
 
-/// The mean of a pixel's samples, exposed.
-fn mean(scene: &Scene, sample: impl Fn(u32, u32) -> Rgb) -> Rgb {
-    let SampleGrid { side } = scene.samples();
-    let sum = mirrored_sum(side, |row| mirrored_sum(side, |column| sample(column, row)));
-    sum * (scene.exposure() / f64::from(side * side))
+/// Who may be seen in a pixel that is about to be made, which is counted.
+fn begun(plan: &Plan, (i, j): (u32, u32), work: &Work<impl Meter>) -> Candidates {
+    let candidates = plan.candidates(i, j);
+    let is_nothing = candidates == Candidates::None;
+    work.count(if is_nothing { Event::SkippedPixel } else { Event::Pixel });
+    candidates
+}
+
+/// What the eye ray through this point of the window sees.
+fn sample(
+    scene: &Scene,
+    candidates: Candidates,
+    [a, b]: [f64; 2],
+    work: &Work<impl Meter>,
+) -> Look {
+    work.count(Event::EyeRay);
+    scene.trace_among(candidates, &scene.camera().ray(a, b), Interval::AHEAD, work)
+}
+
+/// How the mean of a pixel's samples is taken.
+#[derive(Debug, Clone, Copy)]
+struct Mean {
+    samples: Samples,
+    exposure: f64,
+}
+
+impl Mean {
+    /// That of this scene, exposed.
+    fn of_scene(scene: &Scene) -> Self {
+        Self { samples: scene.samples(), exposure: scene.exposure() }
+    }
+
+    /// The mean of a term of each sample, exposed. Those of a grid are summed
+    /// by rows, so that mirrored pictures have mirrored bits.
+    fn of<T>(self, term: impl Fn(u32) -> T) -> T
+    where
+        T: Copy + Default + Add<Output = T> + Mul<f64, Output = T>,
+    {
+        let n = self.samples.samples_per_pixel();
+        let sum = if self.samples.sampler() == Sampler::Grid {
+            let side = self.samples.side();
+            mirrored_sum(side, |row| mirrored_sum(side, |column| term(row * side + column)))
+        } else {
+            (0..n).fold(T::default(), |sum, k| sum + term(k))
+        };
+        sum * (self.exposure / f64::from(n))
+    }
 }
 
 /// The sum of `term(0)` to `term(n - 1)`, taken from both ends inwards, so
 /// that reversing the terms gives the same bits and a mirrored picture stays
 /// an exact mirror.
-fn mirrored_sum(n: u32, term: impl Fn(u32) -> Rgb) -> Rgb {
-    let mut sum = Rgb::BLACK;
+fn mirrored_sum<T: Copy + Default + Add<Output = T>>(n: u32, term: impl Fn(u32) -> T) -> T {
+    let mut sum = T::default();
     for k in 0..n / 2 {
-        sum += term(k) + term(n - 1 - k);
+        sum = sum + (term(k) + term(n - 1 - k));
     }
     if n % 2 == 1 {
-        sum += term(n / 2);
+        sum = sum + term(n / 2);
     }
     sum
 }
@@ -137,15 +165,6 @@ fn mirrored_sum(n: u32, term: impl Fn(u32) -> Rgb) -> Rgb {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn grids_are_square() {
-        for (n, accepted) in [(0, false), (1, true), (2, false), (4, true), (4096, true)] {
-            assert_eq!(SampleGrid::new(n).is_ok(), accepted, "{n}");
-        }
-        assert!(SampleGrid::new(4097).is_err() && SampleGrid::new(u32::MAX).is_err());
-        assert_eq!(SampleGrid::new(9).unwrap().samples_per_pixel(), 9);
-    }
 
     #[test]
     fn a_sum_of_reversed_terms_has_the_same_bits() {

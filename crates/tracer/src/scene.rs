@@ -5,7 +5,7 @@ use crate::plan::Candidates;
 use crate::refused::{color, not_negative, refuse_unless};
 use crate::shading::Lighting;
 use crate::{
-    Camera, Convention, Group, Interval, Light, ObjectId, Ray, Refused, Rgb, SampleGrid, Show,
+    Camera, Convention, Filter, Group, Interval, Light, ObjectId, Ray, Refused, Rgb, Samples, Show,
     Size, Skipping, UnitVec,
 };
 
@@ -17,7 +17,9 @@ pub struct SceneParts {
     /// The picture's size, the lecture's `nx` and `ny`.
     pub size: Size,
     /// Where in a pixel its samples are.
-    pub samples: SampleGrid,
+    pub samples: Samples,
+    /// How much each sample counts for the pixels around it.
+    pub filter: Filter,
     /// If there is one: samples are added where a pixel's neighborhood differs,
     /// until the error of every channel is estimated to be at most this, in a
     /// picture that is shown as it is. Then `samples` must be one a pixel.
@@ -111,14 +113,14 @@ impl Scene {
             ),
             parts.error.and_then(|error| {
                 refuse_unless(
-                    Self::ERRORS.contains(&error) && samples == 1,
+                    Self::ERRORS.contains(&error) && parts.samples == Samples::ONE,
                     "error",
                     format!(
-                        "a number from {:e} to {}, and one sample a pixel to start from",
+                        "a number from {:e} to {}, and one sample on a grid to start from",
                         Self::ERRORS.start(),
                         Self::ERRORS.end()
                     ),
-                    || format!("{error} with {samples} samples a pixel"),
+                    || format!("{error} with {}", parts.samples.words()),
                 )
             }),
             color("background", parts.background),
@@ -141,8 +143,13 @@ impl Scene {
     }
 
     /// Where in a pixel its samples are.
-    pub fn samples(&self) -> SampleGrid {
+    pub fn samples(&self) -> Samples {
         self.0.samples
+    }
+
+    /// How much each sample counts for the pixels around it.
+    pub fn filter(&self) -> Filter {
+        self.0.filter
     }
 
     /// The error up to which samples are added, if they are.
@@ -156,7 +163,23 @@ impl Scene {
     /// # Errors
     /// Refuses (as `error`) one that is out of range.
     pub fn with_error(&self, error: f64) -> Result<Self, Refused> {
-        Self::new(SceneParts { samples: SampleGrid::ONE, error: Some(error), ..self.0.clone() })
+        Self::new(SceneParts { samples: Samples::ONE, error: Some(error), ..self.0.clone() })
+    }
+
+    /// The same scene with these samples, and none added.
+    ///
+    /// # Errors
+    /// As [`Scene::new`].
+    pub fn with_samples(&self, samples: Samples) -> Result<Self, Refused> {
+        Self::new(SceneParts { samples, error: None, ..self.0.clone() })
+    }
+
+    /// The same scene seen through this filter.
+    ///
+    /// # Errors
+    /// As [`Scene::new`].
+    pub fn with_filter(&self, filter: Filter) -> Result<Self, Refused> {
+        Self::new(SceneParts { filter, ..self.0.clone() })
     }
 
     /// The camera.

@@ -117,7 +117,8 @@ fn numbered(group: Group) -> Group {
     let parts = tracer::SceneParts {
         camera,
         size: tracer::Size { width: 1, height: 1 },
-        samples: tracer::SampleGrid::ONE,
+        samples: tracer::Samples::ONE,
+        filter: tracer::Filter::BOX,
         error: None,
         world: group,
         lights: Vec::new(),

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use harness::counts::Counts;
 use harness::expectation::Rendered;
 use harness::fixture::{Build, Fixture, Skipping};
+use harness::overrides::{self, Filter, Overrides, Sampler};
 use harness::suite::{Suite, name_of};
 use harness::{golden, picture_file};
 
@@ -20,8 +21,17 @@ pub(crate) struct Args {
     out: Option<PathBuf>,
     /// Add samples until every pixel's error is estimated to be at most this, in place of those
     /// that the scene asks for
-    #[arg(long, value_name = "ERROR")]
+    #[arg(long, value_name = "ERROR", conflicts_with_all = ["samples", "sampler"])]
     error: Option<f64>,
+    /// Take this many samples in each pixel, in place of those that the scene asks for
+    #[arg(long, value_name = "COUNT")]
+    samples: Option<u32>,
+    /// Spread them by grid, stratified or sobol, the last two with a seed if wanted: sobol:7
+    #[arg(long, value_name = "SAMPLER", value_parser = overrides::sampler)]
+    sampler: Option<Sampler>,
+    /// Weigh them by box, tent, gaussian or mitchell, the last three with a radius if wanted: tent:1
+    #[arg(long, value_name = "FILTER", value_parser = overrides::filter)]
+    filter: Option<Filter>,
     /// Print what the scene needs and what is skipped
     #[arg(long)]
     explain: bool,
@@ -35,7 +45,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(
     here: &Here,
-    Args { scene, out, error, explain, stats, no_skip }: &Args,
+    Args { scene, out, error, samples, sampler, filter, explain, stats, no_skip }: &Args,
 ) -> Result<Answer, CannotAsk> {
     // A fixture has no ending in its name, so what has one is a file.
     let (label, path) = if Path::new(scene).extension().is_some_and(|e| e == "ron") {
@@ -52,10 +62,9 @@ pub(crate) fn run(
         (Suite::fixture_label(name), suite.fixture_path(name))
     };
     let mut fixture = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
-    if let Some(error) = *error {
-        let scene = fixture.scene.with_error(error);
-        fixture.scene = scene.map_err(|refused| CannotAsk(format!("--error: {refused}")))?;
-    }
+    let overrides =
+        Overrides { samples: *samples, sampler: *sampler, filter: *filter, error: *error };
+    fixture.scene = overrides.apply(&fixture.scene).map_err(CannotAsk)?;
     let to_file = out.as_deref().map(encoder).transpose()?;
     // Before the work of rendering.
     for file in [out, stats].into_iter().flatten() {

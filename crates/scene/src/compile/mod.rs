@@ -10,7 +10,7 @@ mod objects;
 use tracer::accel::Build;
 use tracer::glam::DVec3;
 use tracer::{
-    Camera, Convention, Group, Projection, Refused, Rgb, SampleGrid, Scene, SceneParts, Size,
+    Camera, Convention, Filter, Group, Projection, Refused, Rgb, Samples, Scene, SceneParts, Size,
     Transform, View,
 };
 
@@ -108,12 +108,15 @@ pub(crate) fn compile<C>(
     let world = Objects { assets, build, materials, convention, findings: &mut findings }
         .all(&root.field("objects"), &file.objects);
     let camera = findings.accept(&root.field("camera"), camera(&file.camera, file.image));
-    let samples = findings.accept(&root, SampleGrid::new(file.samples_per_pixel));
+    let samples = Samples::new(file.sampler.into(), file.samples_per_pixel);
+    let samples = findings.accept(&root, samples);
+    let filter = findings.accept(&root.field("filter"), Filter::try_from(file.filter));
     // Stand-ins let the last constructor judge the rest all the same.
     let parts = camera.or_else(any_camera).map(|camera| SceneParts {
         camera,
         size: Size { width: file.image.0, height: file.image.1 },
-        samples: samples.unwrap_or(SampleGrid::ONE),
+        samples: samples.unwrap_or(Samples::ONE),
+        filter: filter.unwrap_or(Filter::BOX),
         error: file.error,
         world: Group::new(Transform::IDENTITY, world, build),
         lights,

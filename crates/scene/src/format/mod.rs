@@ -14,11 +14,13 @@ mod camera;
 mod light;
 mod material;
 mod object;
+mod sampling;
 
 pub use camera::Camera;
 pub use light::{Falloff, Light};
 pub use material::Material;
 pub use object::{Object, Transform};
+pub use sampling::{Filter, Sampler};
 
 use std::collections::BTreeMap;
 
@@ -70,9 +72,15 @@ pub struct SceneFile<Check = Unchecked> {
     /// What the picture shows.
     #[serde(default, skip_serializing_if = "is_default")]
     pub show: Show,
-    /// Samples in each pixel on a regular grid: a square number.
+    /// Samples in each pixel: a square number, but for Sobol's points.
     #[serde(default = "one_sample", skip_serializing_if = "is_one_sample")]
     pub samples_per_pixel: u32,
+    /// How they are spread.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub sampler: Sampler,
+    /// How much each counts for the pixels around it.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub filter: Filter,
     /// Samples are added where a pixel's neighborhood differs, until its error
     /// is estimated to be at most this; see [`tracer::SceneParts::error`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -152,6 +160,8 @@ impl<Check> SceneFile<Check> {
             exposure: self.exposure,
             show: self.show,
             samples_per_pixel: self.samples_per_pixel,
+            sampler: self.sampler,
+            filter: self.filter,
             error: self.error,
             encoding: self.encoding,
             check: None,

@@ -7,6 +7,7 @@
 mod axis_box;
 pub mod camera;
 pub mod cone;
+pub mod coverage;
 pub mod cylinder;
 mod disk;
 mod frame;

@@ -6,8 +6,8 @@ use super::*;
 use crate::accel::Build;
 use crate::shape::{AxisBox, Plane, Sphere};
 use crate::{
-    Camera, Convention, Falloff, Group, LinearImage, Member, Object, SampleGrid, SceneParts, Size,
-    Stats, Transform, render, render_counted,
+    Camera, Convention, Falloff, Filter, Group, LinearImage, Member, Object, Samples, SceneParts,
+    Size, Stats, Transform, render, render_counted,
 };
 
 const GRAY: Material = Material::Lambert { diffuse: Rgb::new(0.5, 0.5, 0.5) };
@@ -23,7 +23,8 @@ fn scene(members: Vec<Member>, lights: Vec<Light>, show: Show) -> Scene {
     Scene::new(SceneParts {
         camera: Camera::look_at(DVec3::Z * 8.0, DVec3::ZERO, DVec3::Y, 40.0, aspect).unwrap(),
         size,
-        samples: SampleGrid::new(4).unwrap(),
+        samples: Samples::grid(4).unwrap(),
+        filter: Filter::BOX,
         error: None,
         world: Group::new(Transform::IDENTITY, members, Build::Bvh),
         lights,

@@ -7,8 +7,8 @@ use tracer::shape::{
     AxisBox, Cone, Cylinder, Disk, Mesh, MeshNormals, Plane, Shape, Sphere, Torus, Triangle,
 };
 use tracer::{
-    Camera, Convention, Falloff, Group, Light, Material, Member, Object, Projection, Refused, Rgb,
-    SampleGrid, Scene, SceneParts, Show, Size, Transform, View,
+    Camera, Convention, Falloff, Filter, Group, Light, Material, Member, Object, Projection,
+    Refused, Rgb, Samples, Scene, SceneParts, Show, Size, Transform, View,
 };
 
 use crate::Random;
@@ -49,7 +49,8 @@ pub(super) fn random_scene(number: u64, build: Build) -> Result<Scene, Refused> 
     Scene::new(SceneParts {
         camera: camera(random)?,
         size: SIZE,
-        samples: SampleGrid::new(random.one_of(&[1, 1, 1, 4, 9]))?,
+        samples: Samples::grid(random.one_of(&[1, 1, 1, 4, 9]))?,
+        filter: Filter::BOX,
         error: None,
         world: Group::new(Transform::IDENTITY, members, build),
         lights,
@@ -156,7 +157,8 @@ pub(super) fn sparse_scene(number: u64) -> Result<Scene, Refused> {
     Scene::new(SceneParts {
         camera: sparse_camera(random, size)?,
         size,
-        samples: SampleGrid::new(samples)?,
+        samples: Samples::grid(samples)?,
+        filter: Filter::BOX,
         error: (samples == 1 && !is_many && random.coin()).then_some(0.1),
         world: Group::new(Transform::IDENTITY, members, build),
         lights: vec![light(random)?, light(random)?],
