@@ -193,3 +193,6 @@ impl<S: Simd> Slabs<S> {
 fn eights<S: Simd>(simd: S, [x, y, z, _]: [f32; 4]) -> [S::F8; 3] {
     [simd.eight(x), simd.eight(y), simd.eight(z)]
 }
+
+#[cfg(test)]
+mod tests;
