@@ -33,6 +33,8 @@ mod aabb;
 pub mod accel;
 mod camera;
 mod color;
+#[cfg(test)]
+mod exact;
 mod group;
 mod hit;
 mod image;

@@ -247,3 +247,6 @@ impl<S: Simd> Slabs<S> {
 fn eights<S: Simd>(simd: S, [x, y, z]: [f32; 3]) -> [S::F8; 3] {
     [simd.eight(x), simd.eight(y), simd.eight(z)]
 }
+
+#[cfg(test)]
+mod tests;

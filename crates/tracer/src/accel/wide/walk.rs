@@ -78,8 +78,9 @@ impl Wide {
             }
             here = loop {
                 let Some(next) = stack.pop() else { return false };
-                // A box that starts behind the best hit holds nothing closer.
-                if V::ANY || f32::from_bits((next >> 32) as u32) <= *t_max {
+                // A box that starts behind the best hit holds nothing closer; a NaN
+                // is no bound.
+                if V::ANY || !(f32::from_bits((next >> 32) as u32) > *t_max) {
                     break next as u32;
                 }
             };

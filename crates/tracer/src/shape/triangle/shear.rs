@@ -132,8 +132,10 @@ impl<R: Real> Line<R> {
     /// [`Line::mean`] with twice the digits, for a hit on a needle, or at a flat
     /// angle, or near where the ray starts. An area that is of the other sign
     /// than the rounded one, which decided the hit, counts as 0: `t` stays
-    /// between those of the corners. Where nothing is left then, `t` is not
-    /// finite.
+    /// between those of the corners. On a sliver no wider than the moved corners'
+    /// rounding that, or what is left of the areas, may be the mean of a point
+    /// that the ray passes far away from: `t` is then not finite, nor is it where
+    /// nothing is left, and [`Line::mean`]'s, which is near, has to do.
     #[inline(always)]
     pub(in super::super) fn long_mean(&self, [a, b, c]: [[R; 3]; 3], edges: &Edges<R>) -> Mean<R> {
         let [a, b, c] = [self.long_moved(a), self.long_moved(b), self.long_moved(c)];
@@ -144,8 +146,15 @@ impl<R: Real> Line<R> {
         let mean =
             long_sum(long_sum(long_product(u, a[2]), long_product(v, b[2])), long_product(w, c[2]));
         let zero = side.like(0.0);
+        let depths =
+            (u.0 * a[2].0).magnitude() + (v.0 * b[2].0).magnitude() + (w.0 * c[2].0).magnitude();
+        let depths = depths * self.d[2].magnitude();
+        let weighted = |k: usize| [u.0 * a[k].0, v.0 * b[k].0, w.0 * c[k].0];
+        // Above 0 is near, in both axes.
+        let is_near = zero.like(1.0).where_positive(room(weighted(0), depths));
+        let is_near = is_near.where_positive(room(weighted(1), depths));
         Mean {
-            t: long_quotient(mean, long_product(det, (self.d[2], zero))),
+            t: long_quotient(mean, long_product(det, (self.d[2], zero))) / is_near,
             barycentric: [long_quotient(v, det), long_quotient(w, det)],
             drawn: [zero; 2],
         }
@@ -316,6 +325,18 @@ fn draw<R: Real>(p: [R; 3], q: [R; 3], corner: [R; 3], along: R) -> R {
     ((p[0] * q[1]).magnitude() + (p[1] * q[0]).magnitude()) * (corner[2] - along).magnitude()
 }
 
+/// How much farther the mean of three weighted places across the ray may be from
+/// it, if its weights are those of the point that is met: what the rounding of
+/// the places, the weights, the products and the two sums may move it by, 5
+/// roundings of each at most, and a little for what twice the digits lose.
+#[inline(always)]
+fn room<R: Real>([a, b, c]: [R; 3], depths: R) -> R {
+    const ROUNDINGS: f64 = 6.0;
+    let sizes = a.magnitude() + b.magnitude() + c.magnitude();
+    let bound = a.like(ROUNDINGS * UNIT_ROUNDOFF) * sizes + a.like(UNIT_ROUNDOFF) * depths;
+    bound - (a + b + c).magnitude()
+}
+
 /// The area between two corners; 0 if it is of the other sign than `side`, which
 /// is 1 or -1.
 #[inline(always)]
@@ -324,3 +345,6 @@ fn long_area<R: Real>(p: [Long<R>; 3], q: [Long<R>; 3], side: R) -> Long<R> {
     let test = area.0 * side;
     (area.0.where_positive(test), area.1.where_positive(test))
 }
+
+#[cfg(test)]
+mod tests;
