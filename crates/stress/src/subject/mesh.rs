@@ -18,7 +18,9 @@ use crate::meshes::{Place, Solid};
 use crate::random::f32_point;
 use crate::{Case, Metric, Random, Tally};
 
+mod batches;
 mod brute_force;
+mod fast;
 mod textbook;
 
 /// Every family of meshes.
@@ -31,6 +33,8 @@ pub(super) fn families() -> Vec<Family> {
         }
     }
     families.extend(brute_force::families());
+    families.extend(batches::families());
+    families.extend(fast::families());
     families
 }
 

@@ -13,29 +13,35 @@ use crate::family::{Family, Kernel, Volume};
 use crate::{Case, Metric, Random};
 
 /// Makes about that many triangles.
-type Make = fn(&mut Random, usize) -> Soup;
+pub(super) type Make = fn(&mut Random, usize) -> Soup;
 
-const KINDS: [(&str, Make); 4] =
-    [("soup", soup), ("lattice", lattice), ("flat-squares", flat), ("duplicates", duplicates)];
+pub(super) const KINDS: [(&str, Make); 6] = [
+    ("soup", soup),
+    ("lattice", lattice),
+    ("flat-squares", flat),
+    ("duplicates", duplicates),
+    ("beams", beams),
+    ("slivers", slivers),
+];
 
 /// How many meshes of each kind there are.
-const MESHES: u64 = 32;
+pub(super) const MESHES: u64 = 32;
 
 pub(super) fn families() -> Vec<Family> {
     KINDS.iter().map(|&(name, make)| family(name, make)).collect()
 }
 
 /// Triangles, with a corner of their own each or shared.
-struct Soup {
+pub(super) struct Soup {
     vertices: Vec<DVec3>,
     faces: Vec<[u32; 3]>,
 }
 
 /// The same triangles in a list and in a hierarchy.
-struct Pair {
+pub(super) struct Pair {
     soup: Soup,
-    list: Mesh,
-    bvh: Mesh,
+    pub(super) list: Mesh,
+    pub(super) bvh: Mesh,
     scale: f64,
     offset: DVec3,
 }
@@ -89,11 +95,41 @@ fn duplicates(random: &mut Random, count: usize) -> Soup {
     Soup { vertices, faces }
 }
 
+/// What buildings are made of: beams along and across the axes, each two triangles
+/// of up to 1 by 1,000, that the hierarchy cuts into parts.
+fn beams(random: &mut Random, count: usize) -> Soup {
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for _ in 0..count / 2 {
+        let corner = random.point();
+        let axis = random.below(3);
+        let mut along = random.one_of(&[0.0, 0.0, 0.3]) * random.point();
+        along[axis] += random.sign();
+        let across = random.decades(1e-3, 0.1) * random.across(along);
+        let first = vertices.len() as u32;
+        vertices.extend([corner, corner + along, corner + along + across, corner + across]);
+        faces.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+    }
+    Soup { vertices, faces }
+}
+
+/// Triangles that rounding leaves a width of a few last places, or none, all over
+/// each other.
+fn slivers(random: &mut Random, count: usize) -> Soup {
+    let mut vertices = Vec::new();
+    for _ in 0..count {
+        let (a, b) = (random.point(), random.point());
+        let c =
+            a + random.between(-2.0, 2.0) * (b - a) + random.decades(1e-18, 1e-9) * random.point();
+        vertices.extend([a, b, c]);
+    }
+    Soup { vertices, faces: own_corners(count) }
+}
+
 fn own_corners(count: usize) -> Vec<[u32; 3]> {
     (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()
 }
 
-fn pair(kind: &str, make: Make, number: u64) -> Option<Pair> {
+pub(super) fn pair(kind: &str, make: Make, number: u64) -> Option<Pair> {
     let mut random = Random::of_chunk(0, kind, number);
     let count = random.decades(20.0, 200.0) as usize;
     let scale = random.one_of(&[1.0, 1.0, 1e-6, 1e10]);
@@ -107,7 +143,7 @@ fn pair(kind: &str, make: Make, number: u64) -> Option<Pair> {
 }
 
 /// A ray of any kind that stresses box tests.
-fn ray(pair: &Pair, random: &mut Random) -> Ray {
+pub(super) fn ray(pair: &Pair, random: &mut Random) -> Ray {
     let Pair { soup, scale, offset, .. } = pair;
     let face = soup.faces[random.below(soup.faces.len())];
     let [a, b] = [face[0], face[1 + random.below(2)]].map(|i| soup.vertices[i as usize]);
@@ -142,7 +178,7 @@ fn axis(random: &mut Random) -> DVec3 {
 }
 
 /// Ahead, or an interval that ends at, just after or around a hit.
-fn range(pair: &Pair, ray: &Ray, random: &mut Random) -> Interval {
+pub(super) fn range(pair: &Pair, ray: &Ray, random: &mut Random) -> Interval {
     let hit = pair.bvh.intersect(ray, Interval::AHEAD).map_or(1.0, |contact| contact.t);
     match random.below(8) {
         0 => Interval::AHEAD.until(hit),
@@ -199,6 +235,6 @@ fn family(name: &'static str, make: Make) -> Family {
     }
 }
 
-fn bits(contact: Option<Contact>) -> Option<(u64, u32, [u64; 2])> {
+pub(super) fn bits(contact: Option<Contact>) -> Option<(u64, u32, [u64; 2])> {
     contact.map(|c| (c.t.to_bits(), c.part, c.barycentric.map(f64::to_bits)))
 }

@@ -9,9 +9,9 @@ use crate::{Interval, Ray};
 /// Half the distance from 1 to the next `f32`.
 const UNIT_ROUNDOFF_F32: f64 = (f32::EPSILON / 2.0) as f64;
 
-/// How many roundings of the largest coordinate of an axis near and far sides
-/// are moved apart by. `docs/accuracy.md` proves that 5 are enough; the rest is
-/// slack for products of errors.
+/// How many roundings of the largest coordinates of an axis, the boxes' and the
+/// origin's, near and far sides are moved apart by. `docs/accuracy.md` proves
+/// that 3 are enough; the rest is slack for products of errors.
 const ROUNDINGS: f64 = 6.0;
 
 /// The widening of boxes for the rounding of the candidates' own formulas, in
@@ -100,8 +100,8 @@ pub(super) fn reach(wide: &Wide, ray: &Ray) -> f64 {
     max_abs(ray.origin) * wide.scale + wide.largest
 }
 
-/// Whether the ray can be computed with as it is: not so for a NaN or an infinity
-/// anywhere.
+/// Whether the ray can be computed with as it is: not so for an infinity anywhere.
+/// With a NaN nothing is met, and so it does not matter which boxes are entered.
 #[inline(always)]
 pub(super) fn is_usual(wide: &Wide, ray: &Ray, reach: f64) -> bool {
     let longest = max_abs(ray.direction);

@@ -37,11 +37,11 @@ pub(super) struct Fast;
 impl Precision for Accurate {
     type Lanes<S: Simd> = S::D4;
 
-    /// With `m` the distance: corners are moved to within 6 roundings of `m`
+    /// With `m` the distance: corners are moved to within 7 roundings of `m`
     /// and are at most `2 m` across, so an edge function, two products of them,
-    /// is off by `2 (2 * 2 * 6 + 4 + 4) = 64` roundings of `m^2`; the one that
-    /// decides, [`Shear`](super::super::triangle::Shear)'s, by less. The rest is
-    /// slack.
+    /// is off by `2 (2 * 2 * 7 + 4) + 8 = 72` roundings of `m^2`; the one that
+    /// decides, [`Shear`](super::super::triangle::Shear)'s, whose corners are
+    /// within 6, has the sign of one that is off by 48. The rest is slack.
     const DOUBT: f64 = 256.0 * UNIT_ROUNDOFF;
 
     #[inline(always)]

@@ -280,3 +280,24 @@ fn every_level_batch_and_single_ray_gives_the_answers_of_the_list() {
         }
     }
 }
+
+#[test]
+fn hierarchy_and_list_agree_at_the_ends_of_the_range_of_numbers() {
+    let mut any = fastrand::Rng::with_seed(6);
+    for exponent in [-1000, -540, -520, -515, -345, -341, 338, 340, 341, 508, 511, 900] {
+        let size = libm::exp2(f64::from(exponent));
+        let (vertices, faces) = bumpy(&mut any, true);
+        let vertices: Vec<_> = vertices.into_iter().map(|v| v * size).collect();
+        let mesh = |build| Mesh::new(vertices.clone(), faces.clone(), None, build);
+        // Where the areas are no numbers there is no mesh.
+        let (Ok(list), Ok(tree)) = (mesh(Build::List), mesh(Build::Bvh)) else { continue };
+        for k in 0..400 {
+            let origin = 2.0 * size * dvec3(any.f64() - 0.5, any.f64() - 0.5, any.f64() - 0.5);
+            let target = vertices[any.usize(0..vertices.len())];
+            let direction = (target - origin) * libm::exp2([0.0, 40.0, -40.0][k % 3]);
+            let ray = Ray::new(origin, direction);
+            let expected = list.intersect(&ray, Interval::AHEAD);
+            assert_eq!(tree.intersect(&ray, Interval::AHEAD), expected, "2^{exponent} {ray:?}");
+        }
+    }
+}

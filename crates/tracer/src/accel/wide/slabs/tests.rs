@@ -75,8 +75,7 @@ fn around(ray: &Ray, t: f64, reach: DVec3) -> Aabb {
     aabb
 }
 
-/// Holds every level to seeing every box at its `t`; `apart` moves the boxes away
-/// by so many roundings of the largest coordinates, `rounding` times that.
+/// Holds every level to seeing every box at its `t`.
 fn check(aimed: &Aimed, rounding: f64) {
     let Aimed { ray, boxes, times } = aimed;
     let mut count = 0;
@@ -105,25 +104,35 @@ fn sized(any: &mut fastrand::Rng, [lo, hi]: [f64; 2]) -> f64 {
 }
 
 /// Numbers of few bits, so that `o + t d` is an `f32` itself and faces are grazed
-/// to the bit; just above powers of two, where roundings are largest.
+/// to the bit. They are just above powers of two, and so are their reciprocals
+/// and products: there a rounding is largest. The first box is entered through
+/// one face where it is left through another, and of many directions those are
+/// taken for which that is rounded apart most.
 fn few_bits(any: &mut fastrand::Rng) -> Aimed {
-    /// Up to 16 bits, from 1 to 9/8.
-    fn number(any: &mut fastrand::Rng) -> f64 {
-        1.0 + f64::from(any.u32(0..1 << 13)) / f64::from(1 << 16)
+    const TRIES: usize = 400;
+    let (ahead, far) = (sign(any), [0.0, 0.5, 2.0][any.usize(0..3)]);
+    let t = ahead * (1.0 + far) * (1.0 + f64::from(any.u32(1..64)) / 1024.0);
+    let (mut origin, mut direction, mut reach) = (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
+    for (axis, enters) in [1.0, -1.0, sign(any)].into_iter().enumerate() {
+        let number = |any: &mut fastrand::Rng| 1.0 - f64::from(any.u32(0..256)) / 8192.0;
+        let side = sign(any);
+        let o = far * ahead * side * (1.0 + f64::from(any.u32(0..8)) / 256.0);
+        // As without instructions that round a product and a sum at once.
+        let late = |d: &f64| {
+            let face = o + t * d;
+            let apart = ROUNDINGS * UNIT_ROUNDOFF_F32 * (o.abs() + face.abs()) / d.abs();
+            let [face, recip, minus] = [face, 1.0 / d, o / d + enters * apart].map(|x| x as f32);
+            enters * (f64::from(face * recip - minus) - t)
+        };
+        let tries = (0..TRIES).map(|_| side * number(any));
+        let d = tries.max_by(|a, b| late(a).total_cmp(&late(b))).unwrap();
+        (origin[axis], direction[axis]) = (o, d);
+        reach[axis] = d.signum() * enters / 4096.0;
     }
-    let direction = [0; 3].map(|_| {
-        let near_one = f64::from((1.0 / number(any)) as f32);
-        let coarse = (near_one * 65536.0).round() / 65536.0;
-        coarse * sign(any) * libm::exp2(f64::from(any.i32(-2..=2)))
-    });
-    let direction = DVec3::from_array(direction);
-    let far = [0.0, 0.0, 1e-5, 0.25, 1.0][any.usize(0..5)];
-    let origin = [0; 3].map(|_| (far * number(any) * 256.0).round() / 256.0 * sign(any));
-    let ray = Ray::new(DVec3::from_array(origin), direction);
-    let times: Vec<_> = (0..BOXES).map(|_| 1.0 + f64::from(any.u32(0..64)) / 256.0).collect();
-    let reach = |any: &mut fastrand::Rng| DVec3::from_array([0; 3].map(|_| 0.25 * sign(any)));
-    let boxes = times.iter().map(|&t| around(&ray, t, reach(any))).collect();
-    Aimed { ray, boxes, times }
+    let ray = Ray::new(origin, direction);
+    let reaches = (0..BOXES).map(|k| if k == 0 { reach } else { reach * sign(any) });
+    let boxes = reaches.map(|reach| around(&ray, t, reach)).collect();
+    Aimed { ray, boxes, times: vec![t; BOXES] }
 }
 
 /// Numbers of all sizes: flat boxes, far and near origins, directions of any
