@@ -86,7 +86,9 @@ pub(crate) fn prepare(mesh: &TriangleMesh, build: Build, threads: usize) -> Resu
     let (vertices, faces) = (corners(mesh), mesh.faces.clone());
     Ok(Box::new(move || {
         let mesh = pool.install(|| made(vertices, faces, build))?;
-        Ok(Box::new(Goldray::new(Rc::new(mesh), false)))
+        let mut engine = Goldray::new(Rc::new(mesh), false);
+        engine.builders = Some(pool);
+        Ok(Box::new(engine))
     }))
 }
 
@@ -102,6 +104,8 @@ pub(crate) struct Goldray {
     coherence: Coherence,
     contacts: Vec<Option<Contact>>,
     occluded: Vec<bool>,
+    /// The threads that built it, kept so that their time can be told.
+    builders: Option<rayon::ThreadPool>,
 }
 
 impl Goldray {
@@ -116,6 +120,7 @@ impl Goldray {
             coherence: Coherence::Incoherent,
             contacts: Vec::new(),
             occluded: Vec::new(),
+            builders: None,
         }
     }
 }

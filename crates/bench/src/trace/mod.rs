@@ -12,6 +12,7 @@ mod plot;
 mod rays;
 mod report;
 mod table;
+mod threads;
 
 use std::path::PathBuf;
 

@@ -38,10 +38,13 @@ pub(crate) struct Build {
     pub(crate) triangles: usize,
     pub(crate) engine: String,
     pub(crate) threads: usize,
-    /// CPU milliseconds of all threads together: the median, and the least and
-    /// the most.
+    /// CPU milliseconds of the busiest thread: the median, and the least and the
+    /// most.
     pub(crate) ms: f64,
     pub(crate) spread: [f64; 2],
+    /// CPU milliseconds of all threads, also of those that wait busily: the
+    /// median.
+    pub(crate) all_threads_ms: f64,
     /// Milliseconds by the wall's clock: the median. Other programs move it.
     pub(crate) wall_ms: f64,
     /// Bytes for each triangle that it keeps, its copy of the mesh with them.

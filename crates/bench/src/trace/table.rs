@@ -97,8 +97,8 @@ pub(crate) fn means(report: &Report) -> String {
 /// Building, of one scene.
 pub(crate) fn builds(builds: &[Build]) -> String {
     let mut text = format!(
-        "{:<NAME$}{:>CELL$}{:>CELL$}{:>CELL$}\n",
-        "built", "CPU ms", "wall ms", "bytes/triangle"
+        "{:<NAME$}{:>CELL$}{:>CELL$}{:>CELL$}{:>CELL$}\n",
+        "built, CPU ms", "busiest thread", "all threads", "wall", "bytes/triangle"
     );
     for build in builds {
         let name = format!("{}, {} thr.", build.engine, build.threads);
@@ -106,8 +106,10 @@ pub(crate) fn builds(builds: &[Build]) -> String {
         let ratio = builds.iter().find(of_same).map(|bar| build.ms / bar.ms);
         let ratio = ratio.map_or(String::new(), |ratio| format!(" {ratio:.2}x"));
         let ms = format!("{:.1}{ratio}", build.ms);
-        let (wall, bytes) = (build.wall_ms, build.bytes_per_triangle);
-        let _ = writeln!(text, "{name:<NAME$}{ms:>CELL$}{wall:>CELL$.1}{bytes:>CELL$.1}");
+        let (all, wall) = (build.all_threads_ms, build.wall_ms);
+        let bytes = build.bytes_per_triangle;
+        let _ =
+            writeln!(text, "{name:<NAME$}{ms:>CELL$}{all:>CELL$.1}{wall:>CELL$.1}{bytes:>CELL$.1}");
     }
     text
 }

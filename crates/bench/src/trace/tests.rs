@@ -48,7 +48,7 @@ fn a_quick_run_needs_no_peers_and_finds_goldray_right() {
     assert_eq!(of_exact("builds").len(), 2, "with one thread and with two");
     assert!(run.report.checked.rays > 0);
     assert_eq!(run.report.checked.differ, 0);
-    assert!(plot::svg(&run.report.rows).contains("goldray-fast"));
+    assert!(plot::svg(&run.report.rows).starts_with("<svg"));
 }
 
 #[test]
