@@ -121,12 +121,14 @@ pub(crate) fn determinant<R: Real>(a: Long<R>, b: Long<R>, c: Long<R>, d: Long<R
 /// nothing is lost where the products cancel.
 ///
 /// Source: Ogita, Rump, Oishi, "Accurate Sum and Dot Product", 2005 (`Dot2`).
+#[inline(always)]
 pub(crate) fn dot(a: DVec3, b: DVec3) -> f64 {
     let (sum, rest) = dot_unrounded(a, b);
     sum + rest
 }
 
 /// `(a - b) . c` like [`dot`], the difference unrounded.
+#[inline(always)]
 pub(crate) fn dot_of_difference(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let (x, x_rest) = two_sum(a.x, -b.x);
     let (y, y_rest) = two_sum(a.y, -b.y);
@@ -137,6 +139,7 @@ pub(crate) fn dot_of_difference(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 
 /// `a . b` as a sum and what its rounding left out, but for a few roundings of
 /// the latter.
+#[inline(always)]
 fn dot_unrounded(a: DVec3, b: DVec3) -> (f64, f64) {
     let (x, x_rest) = two_product(a.x, b.x);
     let (y, y_rest) = two_product(a.y, b.y);
@@ -148,6 +151,7 @@ fn dot_unrounded(a: DVec3, b: DVec3) -> (f64, f64) {
 
 /// `a x b`, each component with the accuracy and the sign of
 /// [`difference_of_products`].
+#[inline(always)]
 pub(crate) fn cross(a: DVec3, b: DVec3) -> DVec3 {
     DVec3::new(
         difference_of_products(a.y, b.z, b.y, a.z),
@@ -158,23 +162,33 @@ pub(crate) fn cross(a: DVec3, b: DVec3) -> DVec3 {
 
 /// `r(t) - center`, each component rounded once although the terms cancel:
 /// what a curved shape needs to be met as exactly from far away as from near.
+#[inline(always)]
 pub(crate) fn offset_at(ray: &Ray, t: f64, center: DVec3) -> DVec3 {
     offset_with_rest_at(ray, t, center).0
 }
 
 /// [`offset_at`] and what its rounding left out.
+#[inline(always)]
 pub(crate) fn offset_with_rest_at(ray: &Ray, t: f64, center: DVec3) -> (DVec3, DVec3) {
-    let [x, y, z] = [0, 1, 2].map(|k| {
-        let (way, way_rest) = two_product(t, ray.direction[k]);
-        let (from_center, from_center_rest) = two_sum(ray.origin[k], -center[k]);
-        let (sum, sum_rest) = two_sum(from_center, way);
-        two_sum(sum, sum_rest + (from_center_rest + way_rest))
-    });
+    let (p, d) = (ray.origin, ray.direction);
+    let x = coordinate_with_rest_at(p.x, d.x, t, center.x);
+    let y = coordinate_with_rest_at(p.y, d.y, t, center.y);
+    let z = coordinate_with_rest_at(p.z, d.z, t, center.z);
     (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
+}
+
+/// `p + t d - center` of one axis, and what its rounding left out.
+#[inline(always)]
+fn coordinate_with_rest_at(p: f64, d: f64, t: f64, center: f64) -> (f64, f64) {
+    let (way, way_rest) = two_product(t, d);
+    let (from_center, from_center_rest) = two_sum(p, -center);
+    let (sum, sum_rest) = two_sum(from_center, way);
+    two_sum(sum, sum_rest + (from_center_rest + way_rest))
 }
 
 /// The largest power of two that is not above `x`; `None` unless `x` is a
 /// normal number above 0.
+#[inline(always)]
 pub(crate) fn power_of_two_below(x: f64) -> Option<f64> {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     (x.is_normal() && x > 0.0).then(|| f64::from_bits(x.to_bits() & EXPONENT))
@@ -214,6 +228,7 @@ pub(crate) fn sin_cos_deg(angle_deg: f64) -> (f64, f64) {
 }
 
 /// The largest absolute component.
+#[inline(always)]
 pub(crate) fn max_abs(v: DVec3) -> f64 {
     v.abs().max_element()
 }

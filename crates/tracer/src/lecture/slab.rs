@@ -22,6 +22,7 @@ use crate::Ray;
 /// assert_eq!(ray_slab(4.0, -2.0, 1.0, 3.0), Some((0.5, 1.5)));
 /// assert_eq!(ray_slab(0.0, 0.0, 1.0, 3.0), None);
 /// ```
+#[inline(always)]
 pub fn ray_slab(p: f64, d: f64, min: f64, max: f64) -> Option<(f64, f64)> {
     if d == 0.0 {
         return (min <= p && p <= max).then_some((f64::NEG_INFINITY, f64::INFINITY));

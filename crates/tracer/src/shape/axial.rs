@@ -67,6 +67,7 @@ pub(super) fn apart(
 
 /// A power of two at or below a finite number above 0, kept where its inverse
 /// is a normal number too.
+#[inline(always)]
 fn unit_of(x: f64) -> f64 {
     let smallest = f64::MIN_POSITIVE;
     power_of_two_below(x).unwrap_or(smallest).min(smallest.recip())
@@ -92,23 +93,27 @@ impl Axis {
     }
 
     /// The size of the coordinates that a point of the solid is made of.
+    #[inline(always)]
     pub(super) fn coordinates(&self) -> f64 {
         max_abs(self.ends[0]).max(max_abs(self.ends[1]))
     }
 
     /// The point at this distance along the axis and this offset from it, both
     /// in units, in object space.
+    #[inline(always)]
     pub(super) fn point(&self, height: f64, across: DVec3) -> DVec3 {
         self.ends[0] + self.unit * (height * *self.direction + across)
     }
 
     /// The part of a vector across the axis, from its `m`.
+    #[inline(always)]
     pub(super) fn across(&self, m: DVec3) -> DVec3 {
         cross(self.along, m) / (self.length * self.length)
     }
 
     /// The ray as seen from close by; `None` for one that is not finite or
     /// has no direction.
+    #[inline(always)]
     pub(super) fn approach(&self, ray: &Ray, near: &Near) -> Option<Approach> {
         let longest = max_abs(ray.direction);
         if !(ray.origin.is_finite() && ray.direction.is_finite() && longest > 0.0) {
@@ -118,8 +123,10 @@ impl Axis {
         let ray = Ray::new(ray.origin, ray.direction * t_unit);
         let d = ray.direction;
         let (sideways, climb) = (cross(d, self.along), dot(d, self.along));
-        let to_planes = self.ends.map(|end| self.height_between(ray.origin, end));
-        let planes = to_planes.map(|height| height / climb);
+        let [first, second] = self.ends;
+        let to_planes =
+            [self.height_between(ray.origin, first), self.height_between(ray.origin, second)];
+        let planes = [to_planes[0] / climb, to_planes[1] / climb];
         let from_first = ray.origin - self.ends[0];
         let unmoved = Approach {
             axis: *self,
@@ -145,9 +152,11 @@ impl Axis {
     }
 
     /// `(to - from).A`, as if rounded once.
+    #[inline(always)]
     fn height_between(&self, from: DVec3, to: DVec3) -> f64 {
-        let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-            [0, 1, 2].map(|axis| two_sum(to[axis], -from[axis]));
+        let (x, x_rest) = two_sum(to.x, -from.x);
+        let (y, y_rest) = two_sum(to.y, -from.y);
+        let (z, z_rest) = two_sum(to.z, -from.z);
         let rest = DVec3::new(x_rest, y_rest, z_rest);
         dot(DVec3::new(x, y, z), self.along) + rest.dot(self.along)
     }
@@ -177,12 +186,18 @@ pub(super) struct Approach {
 
 impl Approach {
     /// The same ray as seen from its point at another `t`.
+    #[inline(always)]
     fn seen_from(self, t: f64) -> Self {
-        let from_ends = self.axis.ends.map(|end| offset_at(&self.ray, t, end) / self.axis.unit);
+        let [first, second] = self.axis.ends;
+        let from_ends = [
+            offset_at(&self.ray, t, first) / self.axis.unit,
+            offset_at(&self.ray, t, second) / self.axis.unit,
+        ];
         let nearer = usize::from(max_abs(from_ends[1]) < max_abs(from_ends[0]));
         Self { t, m: cross(from_ends[nearer], self.axis.along), from_ends, nearer, ..self }
     }
 
+    #[inline(always)]
     fn seen_from_between_planes(self, t: f64) -> Self {
         let [low, high] = self.planes;
         let t = if self.climb == 0.0 { t } else { t.max(low.min(high)).min(low.max(high)) };
@@ -191,12 +206,14 @@ impl Approach {
 
     /// The same ray as seen from its point at `s`, or from the plane that is
     /// passed on the way there.
+    #[inline(always)]
     pub(super) fn moved(self, s: f64) -> Self {
         let t = self.t + s * self.axis.unit;
         self.seen_from_between_planes(t)
     }
 
     /// `h` of the point, from the first end.
+    #[inline(always)]
     pub(super) fn height(&self) -> f64 {
         dot(self.from_ends[0], self.axis.along)
     }
@@ -205,6 +222,7 @@ impl Approach {
     /// `|M x D|`, the part that both solids' discriminants have in common, is
     /// free of `M` and of cancellation. `M x D = (p x A) x (d x A)
     /// = A (A.(p x d))`, and `A.(p x d) = p.(d x A)`.
+    #[inline(always)]
     pub(super) fn moment(&self) -> f64 {
         self.axis.length * dot(self.from_ends[self.nearer], self.sideways)
     }
@@ -212,6 +230,7 @@ impl Approach {
     /// The `s` of a contact: of two that it may be the one nearest to its `t`,
     /// as a far ray's `t` has fewer digits; or the `t`'s own if neither is
     /// finite.
+    #[inline(always)]
     pub(super) fn nearest(&self, [one, other]: [f64; 2], t: f64) -> f64 {
         let s = (t / self.t_unit - self.t) / self.axis.unit;
         let nearer = if (s - one).abs() <= (s - other).abs() { one } else { other };
@@ -219,12 +238,14 @@ impl Approach {
     }
 
     /// How far the point at `s` is along the axis from its first end, in units.
+    #[inline(always)]
     pub(super) fn height_at(&self, s: f64) -> f64 {
         s.mul_add(self.climb, self.height()) / self.axis.length
     }
 
     /// The point of the ray in the plane through an end, at most `radius`
     /// units from there.
+    #[inline(always)]
     pub(super) fn point_of_cap(&self, end: usize, radius: f64) -> DVec3 {
         let s = -dot(self.from_ends[end], self.axis.along) / self.climb;
         let across = self.axis.across(self.m + s * self.sideways);
@@ -242,6 +263,7 @@ impl Approach {
     /// to be mistaken: a line through a disk is inside there, and for any other
     /// the way inside the side is all between the planes, its middle included,
     /// or none of it.
+    #[inline(always)]
     pub(super) fn cut(
         &self,
         side: Option<[f64; 2]>,
@@ -283,6 +305,7 @@ impl Approach {
 
     /// The ends in the `t` of the ray as given; without caps only those on the
     /// side.
+    #[inline(always)]
     fn crossing(&self, enter: Contact, leave: Contact, caps: bool) -> Crossing {
         let leave = Contact { t: leave.t.max(enter.t), ..leave };
         let [enter, leave] = [enter, leave].map(|end| {
@@ -304,11 +327,13 @@ pub(super) struct Crossing {
 
 impl Crossing {
     /// The first end in range.
+    #[inline(always)]
     pub(super) fn first(self, range: Interval) -> Option<Contact> {
         [self.enter, self.leave].into_iter().flatten().find(|c| range.contains(c.t))
     }
 
     /// The end where it leaves, if in range.
+    #[inline(always)]
     pub(super) fn last(self, range: Interval) -> Option<Contact> {
         self.leave.filter(|c| range.contains(c.t))
     }
@@ -323,6 +348,7 @@ impl Crossing {
 /// which is the better one where `a` has canceled, or `(-b + sign(b)
 /// sqrt(disc)) / a`, which is the better one where `q` has, as next to a
 /// tangent: there it would blow up what `c` is off by.
+#[inline(always)]
 pub(super) fn roots(a: f64, b: f64, c: f64, discriminant: f64, reach: f64) -> Option<[f64; 2]> {
     // Where `a` and `c` differ in sign, a negative one is rounding.
     let is_rounding = a * c <= 0.0 && discriminant < 0.0;
@@ -336,11 +362,13 @@ pub(super) fn roots(a: f64, b: f64, c: f64, discriminant: f64, reach: f64) -> Op
 }
 
 /// The length of a vector, off by at most its last two roundings.
+#[inline(always)]
 pub(super) fn size(v: DVec3) -> f64 {
     dot(v, v).sqrt()
 }
 
 /// `x^2 - y^2` for the discriminants, with the exact sign.
+#[inline(always)]
 pub(super) fn difference_of_squares(x: f64, y: f64) -> f64 {
     difference_of_products(x, x, y, y)
 }

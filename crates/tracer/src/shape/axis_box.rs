@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::lecture::ray_slab;
 use crate::math::UNIT_ROUNDOFF;
 use crate::refused::{point, refuse_unless, show};
@@ -49,6 +49,7 @@ impl AxisBox {
     /// Each quotient of [`ray_slab`] is off by at most 3/2 units in the last
     /// place, so a line through an edge may seem to enter one slab just after
     /// it has left the other; up to 4 units that is still a hit.
+    #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
         let (mut enter_axis, mut leave_axis) = (0, 0);
@@ -73,22 +74,34 @@ impl AxisBox {
 }
 
 /// The number of a face: twice its axis, plus one for the higher side.
+#[inline(always)]
 fn face(axis: usize, higher: bool) -> u32 {
     2 * axis as u32 + u32::from(higher)
 }
 
-impl Geometry for AxisBox {
-    fn bounds(&self) -> Aabb {
+impl Formulas for AxisBox {
+    fn extent(&self) -> Aabb {
         Aabb { min: self.min, max: self.max }
     }
 
     /// The side where the ray enters, or the one where it leaves if the entry
     /// is out of range, as for a ray from inside.
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+    ///
+    /// Of a ray that leaves it outward nothing is met again; inward only the side
+    /// where the ray leaves, unless the box is flat there.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if let Some(from) = from {
+            // A part that is no face of a box is taken for one.
+            let axis = (from.part as usize / 2).min(2);
+            if from.outward || self.min[axis] == self.max[axis] {
+                return None;
+            }
+        }
         let crossing = self.crossing(ray)?;
         let d = ray.direction;
         let contact = |t, part| Contact { t, part, barycentric: [0.0; 2] };
-        if range.contains(crossing.enter) {
+        if from.is_none() && range.contains(crossing.enter) {
             let axis = crossing.enter_axis;
             Some(contact(crossing.enter, face(axis, d[axis] < 0.0)))
         } else if range.contains(crossing.leave) {
@@ -99,20 +112,8 @@ impl Geometry for AxisBox {
         }
     }
 
-    /// Outward nothing is met again; inward only the side where the ray leaves,
-    /// unless the box is flat there.
-    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        // A part that is no face of a box is taken for one.
-        let axis = (from.part as usize / 2).min(2);
-        if from.outward || self.min[axis] == self.max[axis] {
-            return None;
-        }
-        let Crossing { leave, leave_axis: axis, .. } = self.crossing(ray)?;
-        let part = face(axis, ray.direction[axis] > 0.0);
-        range.contains(leave).then_some(Contact { t: leave, part, barycentric: [0.0; 2] })
-    }
-
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         let (axis, higher) = ((contact.part as usize / 2).min(2), contact.part % 2 == 1);
         let mut point = ray.at(contact.t).clamp(self.min, self.max);
         point[axis] = if higher { self.max[axis] } else { self.min[axis] };

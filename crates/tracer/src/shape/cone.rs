@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::axial::{
     Approach, Axis, Crossing, Near, SIDE, apart, difference_of_squares, roots, size,
 };
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::math::{UNIT_ROUNDOFF, difference_of_products, dot};
 use crate::refused::{length, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -54,25 +54,32 @@ impl Cone {
     }
 
     /// How fast it widens: the tangent of half the angle at the apex.
+    #[inline(always)]
     fn slope(&self) -> f64 {
         self.radius / self.axis.unit / self.axis.length
     }
 
     /// The quadratic whose sign says on which side of the side a line is:
     /// `|m| <= k h` inside, with the slope `k` and for `h >= 0`.
+    #[inline(always)]
     fn quadratic(&self, ray: &Approach) -> Quadratic {
         let (m, d, g, h) = (ray.m, ray.sideways, ray.climb, ray.height());
         let k = self.slope();
-        let f = [0, 1, 2].map(|axis| difference_of_products(g, m[axis], h, d[axis]));
+        let f = DVec3::new(
+            difference_of_products(g, m.x, h, d.x),
+            difference_of_products(g, m.y, h, d.y),
+            difference_of_products(g, m.z, h, d.z),
+        );
         Quadratic {
             q2: difference_of_squares(size(d), k * g),
             q1: (-(k * h)).mul_add(k * g, dot(m, d)),
             q0: difference_of_squares(size(m), k * h),
-            f: DVec3::from_array(f),
+            f,
         }
     }
 
     /// `|m|` at the rim of the base.
+    #[inline(always)]
     fn reach(&self) -> f64 {
         self.radius / self.axis.unit * self.axis.length
     }
@@ -82,6 +89,7 @@ impl Cone {
     /// Closest to the apex is best where the line glides along the side, which
     /// only its distance from the apex tells from a hit. But that point may be
     /// many radii from a narrow cone; then the nearer root is closer.
+    #[inline(always)]
     fn approach(&self, ray: &Ray) -> Option<Approach> {
         let near = self.axis.approach(ray, &Near::FirstEnd)?;
         if size(near.m) <= self.reach() {
@@ -94,6 +102,7 @@ impl Cone {
     }
 
     /// Between which `s` the line is inside the endless side.
+    #[inline(always)]
     fn side(&self, ray: &Approach) -> Option<[f64; 2]> {
         let Quadratic { q2, q1, q0, f } = self.quadratic(ray);
         let k = self.slope();
@@ -115,6 +124,7 @@ impl Cone {
         }
     }
 
+    #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
         let ray = self.approach(ray)?;
         ray.cut(self.side(&ray), [None, Some(BASE)], self.reach(), self.caps)
@@ -122,6 +132,7 @@ impl Cone {
 
     /// The point of the side next to one that is off it by rounding, as its
     /// height in units and its offset from the axis, and the outward normal.
+    #[inline(always)]
     fn onto_side(&self, height: f64, across: DVec3) -> (f64, DVec3, UnitVec) {
         let k = self.slope();
         // Along the line from the apex, in the plane of the point and the axis.
@@ -139,22 +150,25 @@ impl Cone {
     }
 }
 
-impl Geometry for Cone {
-    fn bounds(&self) -> Aabb {
+impl Formulas for Cone {
+    fn extent(&self) -> Aabb {
         self.axis.disk_bounds(1, self.radius).union(Aabb::around([self.axis.ends[0]]))
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
-        self.crossing(ray)?.first(range)
-    }
-
     /// The side is convex, so a ray that leaves it outward never comes back,
-    /// nor does one from the base; all others meet only what they leave by.
-    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        if from.outward { None } else { self.crossing(ray)?.last(range) }
+    /// nor does one from the base; all others that leave it meet only what they
+    /// leave by.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if from.is_some_and(|from| from.outward) {
+            return None;
+        }
+        let crossing = self.crossing(ray)?;
+        if from.is_none() { crossing.first(range) } else { crossing.last(range) }
     }
 
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         let axis = &self.axis;
         let near = self.approach(ray);
         let (point, normal) = match (near, contact.part) {

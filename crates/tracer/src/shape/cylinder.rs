@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::axial::{
     Approach, Axis, Crossing, Near, SIDE, apart, difference_of_squares, roots, size,
 };
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::math::{UNIT_ROUNDOFF, dot};
 use crate::refused::{length, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -40,6 +40,7 @@ impl Cylinder {
     }
 
     /// `R = r |A|`, the `|m|` of the side.
+    #[inline(always)]
     fn reach(&self) -> f64 {
         self.radius / self.axis.unit * self.axis.length
     }
@@ -49,6 +50,7 @@ impl Cylinder {
     /// `|m| <= R` is the quadratic
     /// `(D.D) s^2 + 2 (M.D) s + (M.M - R^2)`, and its discriminant
     /// `(M.D)^2 - (D.D)(M.M - R^2) = R^2 D.D - |M x D|^2`.
+    #[inline(always)]
     fn side(&self, ray: &Approach) -> Option<[f64; 2]> {
         let (m, d) = (ray.m, ray.sideways);
         let reach = self.reach();
@@ -62,28 +64,32 @@ impl Cylinder {
         Some([one.min(other), one.max(other)])
     }
 
+    #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
         let ray = self.axis.approach(ray, &Near::Axis)?;
         ray.cut(self.side(&ray), CAPS.map(Some), self.reach(), self.caps)
     }
 }
 
-impl Geometry for Cylinder {
-    fn bounds(&self) -> Aabb {
+impl Formulas for Cylinder {
+    fn extent(&self) -> Aabb {
         self.axis.disk_bounds(0, self.radius).union(self.axis.disk_bounds(1, self.radius))
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
-        self.crossing(ray)?.first(range)
-    }
-
     /// The side is convex, so a ray that leaves it outward never comes back,
-    /// nor does one from a cap; all others meet only what they leave by.
-    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        if from.outward { None } else { self.crossing(ray)?.last(range) }
+    /// nor does one from a cap; all others that leave it meet only what they
+    /// leave by.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if from.is_some_and(|from| from.outward) {
+            return None;
+        }
+        let crossing = self.crossing(ray)?;
+        if from.is_none() { crossing.first(range) } else { crossing.last(range) }
     }
 
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         let (axis, radius) = (&self.axis, self.radius / self.axis.unit);
         let near = axis.approach(ray, &Near::Axis);
         let (local, normal) = match (near, contact.part) {

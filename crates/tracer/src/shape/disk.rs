@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Contact, Departure, Geometry, Plane, SurfacePoint};
+use super::{Contact, Departure, Formulas, Plane, SurfacePoint};
 use crate::math::offset_at;
 use crate::refused::{direction, length, point};
 use crate::{Aabb, Interval, Ray, Refused};
@@ -32,28 +32,29 @@ impl Disk {
     }
 }
 
-impl Geometry for Disk {
+impl Formulas for Disk {
     /// The cube around the center: simple, and at most twice as wide as the
     /// tightest box.
-    fn bounds(&self) -> Aabb {
+    fn extent(&self) -> Aabb {
         let r = DVec3::splat(self.radius);
         Aabb { min: self.center - r, max: self.center + r }
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+    /// A flat surface is left for good.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if from.is_some() {
+            return None;
+        }
         let t = self.plane.t(ray);
         let from_center = offset_at(ray, t, self.center);
         let inside = from_center.length_squared() <= self.radius * self.radius;
         (inside && range.contains(t)).then_some(Contact::at(t))
     }
 
-    /// A flat surface is left for good.
-    fn intersect_leaving(&self, _: &Ray, _: Interval, _: Departure) -> Option<Contact> {
-        None
-    }
-
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
-        self.plane.surface(ray, contact)
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+        self.plane.surface_at(ray, contact)
     }
 }
 
@@ -62,6 +63,7 @@ mod tests {
     use glam::dvec3;
 
     use super::*;
+    use crate::shape::Geometry;
 
     #[track_caller]
     fn check(p: [f64; 3], d: [f64; 3], expected: Option<f64>) {

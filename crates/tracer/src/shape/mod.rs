@@ -1,6 +1,6 @@
 //! The shapes: geometry only, in object space, without material or transform.
 //!
-//! To add one: write its file with an `impl Geometry`, add its line to
+//! To add one: write its file with an `impl Formulas`, add its line to
 //! `shapes!` below, what a test of it counts as to [`crate::Event`], its variant
 //! to the scene format, and a fixture. The
 //! properties of `tests/properties.rs` then need one line to cover it.
@@ -29,6 +29,7 @@ pub use triangle::Triangle;
 use glam::DVec3;
 
 use crate::meter::{Event, Meter};
+use crate::simd::{Formula, fused};
 use crate::{Aabb, Interval, Ray, UnitVec, accel};
 
 /// Where a ray met a shape, in the few numbers that finding the closest hit
@@ -115,6 +116,56 @@ pub trait Geometry {
     /// As [`Geometry::occludes`], for a ray that leaves this surface.
     fn occludes_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> bool {
         self.intersect_leaving(ray, range, from).is_some()
+    }
+}
+
+/// The formulas behind [`Geometry`] of a shape that is not made of others:
+/// compiled with fused multiply-add where the processor has it, for which they
+/// and what they call must be `#[inline(always)]`.
+trait Formulas {
+    /// [`Geometry::bounds`].
+    fn extent(&self) -> Aabb;
+    /// [`Geometry::intersect`], or [`Geometry::intersect_leaving`] for a ray that
+    /// leaves it: one function, which is compiled once.
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact>;
+    /// [`Geometry::surface`].
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint;
+}
+
+impl<F: Formulas> Geometry for F {
+    fn bounds(&self) -> Aabb {
+        self.extent()
+    }
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+        fused::<Meet, _, _, _, _>(self, ray, range, None)
+    }
+    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
+        fused::<Meet, _, _, _, _>(self, ray, range, Some(from))
+    }
+    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+        fused::<Surface, _, _, _, _>(self, ray, contact, ())
+    }
+}
+
+/// Where a ray meets a shape.
+struct Meet;
+
+/// The surface where it does.
+struct Surface;
+
+impl<F: Formulas> Formula<&F, &Ray, Interval, Option<Departure>> for Meet {
+    type Value = Option<Contact>;
+    #[inline(always)]
+    fn value(shape: &F, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        shape.meet(ray, range, from)
+    }
+}
+
+impl<F: Formulas> Formula<&F, &Ray, &Contact, ()> for Surface {
+    type Value = SurfacePoint;
+    #[inline(always)]
+    fn value(shape: &F, ray: &Ray, contact: &Contact, (): ()) -> SurfacePoint {
+        shape.surface_at(ray, contact)
     }
 }
 

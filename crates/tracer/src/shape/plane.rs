@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::math::{UNIT_ROUNDOFF, dot, dot_of_difference, max_abs};
 use crate::refused::{direction, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -45,6 +45,7 @@ impl Plane {
     /// neither product loses digits, however flat the ray. Infinite or NaN
     /// for a ray along the plane and NaN for an infinite direction, which no
     /// interval contains.
+    #[inline(always)]
     pub(super) fn t(&self, ray: &Ray) -> f64 {
         let approach = dot(ray.direction, self.across);
         if approach.is_infinite() {
@@ -54,22 +55,23 @@ impl Plane {
     }
 }
 
-impl Geometry for Plane {
-    fn bounds(&self) -> Aabb {
+impl Formulas for Plane {
+    fn extent(&self) -> Aabb {
         Aabb::EVERYTHING
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+    /// A flat surface is left for good.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if from.is_some() {
+            return None;
+        }
         let t = self.t(ray);
         range.contains(t).then_some(Contact::at(t))
     }
 
-    /// A flat surface is left for good.
-    fn intersect_leaving(&self, _: &Ray, _: Interval, _: Departure) -> Option<Contact> {
-        None
-    }
-
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         let n = *self.normal;
         let x = ray.at(contact.t);
         // Put back onto the plane along its normal.
@@ -88,6 +90,7 @@ mod tests {
     use glam::dvec3;
 
     use super::*;
+    use crate::shape::Geometry;
 
     #[track_caller]
     fn check(p: [f64; 3], d: [f64; 3], expected: Option<f64>) {

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::math::{UNIT_ROUNDOFF, dot, max_abs, offset_with_rest_at, two_product, two_sum};
 use crate::refused::{length, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -60,6 +60,7 @@ impl Sphere {
     /// Source: after Haines, Guenther, Akenine-Moeller, "Precision
     /// Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019,
     /// chapter 7.
+    #[inline(always)]
     fn approach(&self, ray: &Ray) -> Option<Approach> {
         let d = ray.direction;
         let f = ray.origin - self.center;
@@ -84,6 +85,7 @@ impl Sphere {
     ///
     /// `m = f + t_c d` is off by 4 roundings of `|f|` across the ray and 8 along
     /// it, from the two products in `t_c`, which only make it longer.
+    #[inline(always)]
     fn is_passed_by(&self, m: DVec3, f: DVec3) -> bool {
         const ROUNDINGS: f64 = 32.0;
         let reach = self.radius + ROUNDINGS * UNIT_ROUNDOFF * (self.radius + max_abs(f));
@@ -92,6 +94,7 @@ impl Sphere {
 
     /// `r^2 - |m + rest|^2` with twice the digits, rounded once: how far a point
     /// is inside, in the geometer's units. What is below `rest` is left out.
+    #[inline(always)]
     fn inside_by(&self, m: DVec3, rest: DVec3) -> f64 {
         let (mut sum, mut lost) = two_product(self.radius, self.radius);
         for x in m.to_array() {
@@ -106,6 +109,7 @@ impl Sphere {
     /// `t` of both roots of an approach, lower first: `t_c + s`, or where that
     /// cancels, as it does for an origin close to the surface, from the other
     /// root by their product `c / a`, with `c = f.f - r^2`.
+    #[inline(always)]
     fn roots(&self, ray: &Ray, approach: &Approach) -> [f64; 2] {
         let Approach { t_c, s: [low, high], .. } = *approach;
         let [near, far] = [t_c + low, t_c + high];
@@ -122,29 +126,29 @@ impl Sphere {
     }
 }
 
-impl Geometry for Sphere {
-    fn bounds(&self) -> Aabb {
+impl Formulas for Sphere {
+    fn extent(&self) -> Aabb {
         let r = DVec3::splat(self.radius);
         Aabb { min: self.center - r, max: self.center + r }
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
-        let approach = self.approach(ray)?;
-        let roots = self.roots(ray, &approach);
-        roots.into_iter().find(|&t| range.contains(t)).map(Contact::at)
-    }
-
-    /// Outward nothing is met again; inward only the far side.
-    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        if from.outward {
+    /// Of a ray that leaves it outward nothing is met again; inward only the far
+    /// side.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if from.is_some_and(|from| from.outward) {
             return None;
         }
         let approach = self.approach(ray)?;
-        let [_, far] = self.roots(ray, &approach);
+        let [near, far] = self.roots(ray, &approach);
+        if from.is_none() && range.contains(near) {
+            return Some(Contact::at(near));
+        }
         range.contains(far).then_some(Contact::at(far))
     }
 
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         // Seen from close by, so that the normal of a far hit keeps its digits.
         let outward = self.approach(ray).map_or(ray.at(contact.t) - self.center, |approach| {
             let Approach { t_c, m, s: [low, high] } = approach;

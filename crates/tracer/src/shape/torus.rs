@@ -6,7 +6,7 @@ mod line;
 use glam::DVec3;
 
 use self::line::{Line, Span};
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::math::{UNIT_ROUNDOFF, max_abs, offset_at};
 use crate::refused::{direction, length, number, point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -56,6 +56,7 @@ impl Torus {
     }
 
     /// How far a computed point may be from the true surface.
+    #[inline(always)]
     fn error(&self) -> f64 {
         // The unit vectors across and along the axis and the sum with the
         // center round by less than this many units.
@@ -64,10 +65,10 @@ impl Torus {
     }
 }
 
-impl Geometry for Torus {
+impl Formulas for Torus {
     /// The tightest box: the ring reaches `R sqrt(1 - n_k^2)` along axis `k`,
     /// and the tube `r` farther.
-    fn bounds(&self) -> Aabb {
+    fn extent(&self) -> Aabb {
         let n = *self.axis;
         let squares = n * n;
         let across = DVec3::new(
@@ -80,22 +81,24 @@ impl Geometry for Torus {
     }
 
     /// The first of up to four roots; `torus/line.rs` says how none is lost.
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+    ///
+    /// Of a ray that leaves it the side on which it starts is known, so that what
+    /// lies ahead follows from where the line is inside and where outside,
+    /// whatever the rounding of the start. Roots behind the start are no contacts
+    /// then, not even in a range that holds them.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
         let line = Line::new(self, ray)?;
-        line.first_crossing(&line.span()?, range).map(Contact::at)
-    }
-
-    /// The side on which the ray starts is known, so that what lies ahead
-    /// follows from where the line is inside and where outside, whatever the
-    /// rounding of the start. Roots behind the start are no contacts, not even
-    /// in a range that holds them.
-    fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
-        let line = Line::new(self, ray)?;
-        let span: Span = line.span()?.starting_at(line.start(), from.outward);
+        let span = line.span()?;
+        let span: Span = match from {
+            None => span,
+            Some(from) => span.starting_at(line.start(), from.outward),
+        };
         line.first_crossing(&span, range).map(Contact::at)
     }
 
-    fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         let offset = offset_at(ray, contact.t, self.center);
         let (spoke, normal) = self.frame(offset);
         SurfacePoint {
@@ -109,6 +112,7 @@ impl Geometry for Torus {
 
 impl Torus {
     /// The parts of an offset from the center along the axis and across it.
+    #[inline(always)]
     fn parts(&self, offset: DVec3) -> (f64, DVec3) {
         let n = *self.axis;
         let along = crate::math::dot(offset, n);
@@ -121,6 +125,7 @@ impl Torus {
     /// On the axis every spoke is as near. The only surface point there is the
     /// middle of a horn torus, which has no normal; any two opposite vectors
     /// lead back to it, and the axis gives them without a choice.
+    #[inline(always)]
     fn frame(&self, offset: DVec3) -> (DVec3, UnitVec) {
         let (along, across) = self.parts(offset);
         let Some(spoke) = UnitVec::new(across) else {

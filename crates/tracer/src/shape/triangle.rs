@@ -8,7 +8,7 @@ pub(super) use shear::{Line, Shear};
 
 use glam::DVec3;
 
-use super::{Contact, Departure, Geometry, SurfacePoint};
+use super::{Contact, Departure, Formulas, SurfacePoint};
 use crate::math::{
     Long, UNIT_ROUNDOFF, determinant, difference_of_products, long_product, long_sum, max_abs,
     two_sum,
@@ -43,21 +43,22 @@ impl Triangle {
     }
 }
 
-impl Geometry for Triangle {
-    fn bounds(&self) -> Aabb {
+impl Formulas for Triangle {
+    fn extent(&self) -> Aabb {
         bounds(self.corners)
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
+    /// A flat surface is left for good.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
+        if from.is_some() {
+            return None;
+        }
         Shear::new(ray).intersect_closed(self.corners, range)
     }
 
-    /// A flat surface is left for good.
-    fn intersect_leaving(&self, _: &Ray, _: Interval, _: Departure) -> Option<Contact> {
-        None
-    }
-
-    fn surface(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
+    #[inline(always)]
+    fn surface_at(&self, _: &Ray, contact: &Contact) -> SurfacePoint {
         surface(self.corners, self.normal, contact)
     }
 }

@@ -37,6 +37,7 @@ macro_rules! operators {
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod axis;
+mod fused;
 #[cfg(any(test, not(target_arch = "x86_64")))]
 mod portable;
 #[cfg(target_arch = "x86_64")]
@@ -46,6 +47,7 @@ mod stack;
 use crate::math::Real;
 
 pub(crate) use axis::Axis;
+pub(crate) use fused::{Formula, fused};
 pub(crate) use stack::{Room, Stack};
 
 /// A set of instructions that this processor has.

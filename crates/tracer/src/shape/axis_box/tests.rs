@@ -3,6 +3,7 @@
 use glam::dvec3;
 
 use super::*;
+use crate::shape::Geometry;
 
 const MIN: DVec3 = dvec3(-1.0, -2.0, -3.0);
 const MAX: DVec3 = dvec3(1.0, 2.0, 3.0);

@@ -4,6 +4,7 @@
 use glam::dvec3;
 
 use super::*;
+use crate::shape::Geometry;
 
 const AHEAD: Interval = Interval::AHEAD;
 

@@ -5,6 +5,7 @@ use glam::dvec3;
 
 use super::*;
 use crate::lecture::{sphere_algebraic, sphere_geometric};
+use crate::shape::Geometry;
 
 #[track_caller]
 fn check(p: [f64; 3], d: [f64; 3], range: Interval, expected: Option<f64>) {

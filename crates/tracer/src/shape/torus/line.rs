@@ -63,12 +63,14 @@ struct Cut {
 }
 
 impl Cut {
+    #[inline(always)]
     fn on_side(s: f64, outside: bool) -> Self {
         Self { s, level: if outside { f64::INFINITY } else { f64::NEG_INFINITY } }
     }
 
     /// A line that touches the surface in this very point is inside: that is
     /// a contact.
+    #[inline(always)]
     fn is_outside(self) -> bool {
         self.level > 0.0
     }
@@ -76,6 +78,7 @@ impl Cut {
 
 impl Span {
     /// The rest of the span from `start` on, where the side is known.
+    #[inline(always)]
     pub(super) fn starting_at(self, start: f64, outside: bool) -> Self {
         let all = &self.cuts[..self.count];
         if !(all.first().is_some_and(|first| first.s < start)) {
@@ -95,6 +98,7 @@ impl Line {
     /// The line of a ray; `None` where it passes the torus by, and for numbers
     /// that are not finite. So does a direction whose every component is below
     /// the normal numbers.
+    #[inline(always)]
     pub(super) fn new(torus: &Torus, ray: &Ray) -> Option<Self> {
         let unit = power_of_two_below(torus.major)?;
         let stride = power_of_two_below(max_abs(ray.direction))?;
@@ -127,10 +131,12 @@ impl Line {
     }
 
     /// The `s` of the ray's origin.
+    #[inline(always)]
     pub(super) fn start(&self) -> f64 {
         -self.t[0] / self.t[1]
     }
 
+    #[inline(always)]
     fn t(&self, s: f64) -> f64 {
         s.mul_add(self.t[1], self.t[0])
     }
@@ -138,11 +144,13 @@ impl Line {
     /// The surface's equation `(rho - R)^2 + z^2 - r^2`, with `rho` and `z` the
     /// distances from the axis and along it; below 0 inside. Its rounding is
     /// that of the distance to the surface, a few units of the ring.
+    #[inline(always)]
     fn level(&self, s: f64) -> f64 {
         self.level_and_slope(s).0
     }
 
     /// The level, and how fast it rises; NaN or infinite on the axis.
+    #[inline(always)]
     fn level_and_slope(&self, s: f64) -> (f64, f64) {
         let across = DVec3::splat(s).mul_add(self.across[1], self.across[0]);
         let z = s.mul_add(self.along[1], self.along[0]);
@@ -167,6 +175,7 @@ impl Line {
     /// Two turning points that it loses are so near each other that `g` is
     /// the same at both, to far below its own rounding. On which side a turning
     /// point lies is asked of the level, which decides whether a ray grazes.
+    #[inline(always)]
     pub(super) fn span(&self) -> Option<Span> {
         let (r1, r2) = (self.major, self.minor);
         let reach = ROOM * (r1 + r2);
@@ -206,6 +215,7 @@ impl Line {
     }
 
     /// The ray's parameter at the first crossing inside `range`.
+    #[inline(always)]
     pub(super) fn first_crossing(&self, span: &Span, range: Interval) -> Option<f64> {
         span.cuts[..span.count].windows(2).find_map(|piece| {
             let [lo, hi] = [piece[0], piece[1]];
@@ -223,6 +233,7 @@ impl Line {
 
     /// The crossing between two places: Newton's method, halving where that
     /// leaves the piece or comes no faster nearer than halving would.
+    #[inline(always)]
     fn crossing(&self, mut outside: f64, mut inside: f64) -> f64 {
         let resolution = UNIT_ROUNDOFF * self.major / self.dd.sqrt();
         let mut s = 0.5 * (outside + inside);

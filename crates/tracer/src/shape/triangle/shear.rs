@@ -193,6 +193,7 @@ impl Shear {
     /// With `m` the largest distance of a corner from the ray's origin along an
     /// axis, corners are moved here to within 5 roundings of `m`, and are at
     /// most `2 m` across; the edge functions are off by 50 roundings of `m^2`.
+    #[inline(always)]
     fn is_passed_by(&self, corners: [DVec3; 3]) -> bool {
         const ROUNDINGS: f64 = 64.0;
         let [sx, sy] = self.slopes;
@@ -240,6 +241,7 @@ impl Shear {
 
     /// The contact of the ray with a triangle that counts its edges and
     /// corners as inside.
+    #[inline(always)]
     pub(in super::super) fn intersect_closed(
         &self,
         corners: [DVec3; 3],

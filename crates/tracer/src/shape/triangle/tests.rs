@@ -5,6 +5,7 @@ use glam::dvec3;
 
 use super::*;
 use crate::lecture::{triangle_inside_edges, triangle_linear_system};
+use crate::shape::Geometry;
 
 const CORNERS: [DVec3; 3] = [dvec3(0.0, 0.0, 0.0), dvec3(4.0, 0.0, 0.0), dvec3(0.0, 2.0, 0.0)];
 
