@@ -47,4 +47,3 @@ pub(crate) fn entries(folder: &Path) -> Vec<PathBuf> {
 pub(crate) fn make_folder(path: &Path) -> Result<(), String> {
     fs::create_dir_all(path).map_err(|why| format!("{}: cannot be made: {why}", path.display()))
 }
-

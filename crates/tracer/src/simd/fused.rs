@@ -48,6 +48,8 @@ mod fma {
             is_x86_feature_detected!("fma").then_some(Self(()))
         }
 
+        // It is the proof.
+        #[allow(clippy::unused_self)]
         #[inline(always)]
         pub(super) fn value<F: Formula<A, B, C, D>, A, B, C, D>(
             self,

@@ -1,7 +1,7 @@
 //! goldray: by a grid or where the error is, exact or in `f32`.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use tracer::{SampleGrid, Scene, SceneParts, render};
+use tracer::{Samples, Scene, SceneParts, render};
 
 use super::{Engine, OURS, Setting, Shot, Stage};
 use crate::measure::thread_seconds;
@@ -74,7 +74,7 @@ impl Engine for Goldray {
 fn set(scene: &Scene, setting: Setting) -> Result<Scene, String> {
     let set = match setting {
         Setting::Error(error) => scene.with_error(error),
-        Setting::Grid(samples) => SampleGrid::new(samples)
+        Setting::Grid(samples) => Samples::grid(samples)
             .and_then(|samples| Scene::new(SceneParts { samples, ..scene.parts().clone() })),
         other => return Err(format!("goldray has no setting \"{other}\"")),
     };

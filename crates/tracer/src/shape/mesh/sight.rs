@@ -61,6 +61,10 @@ pub(super) struct Meetings {
     pub(super) hi: [f64; 4],
 }
 
+/// Three corners, across the ray and along it, and the edge functions across from
+/// each.
+type Edges<V> = ([[V; 3]; 3], [V; 3]);
+
 /// What a [`Sight`] is made of.
 #[derive(Clone, Copy)]
 pub(super) struct Sighted {
@@ -93,9 +97,9 @@ impl Sighted {
             axes,
             origin: [*kx.of(&origin), *ky.of(&origin), *kz.of(&origin)],
             slopes: [*kx.of(&direction) * time, *ky.of(&direction) * time],
-            doubt: P::DOUBT * farthest * farthest,
+            doubt,
             time,
-            wrong: DRAWN * farthest * time.abs(),
+            wrong,
         }
     }
 }
@@ -128,11 +132,7 @@ impl<S: Simd, P: Precision> Sight<S, P> {
 
     /// Three corners, moved, and the edge functions across from each.
     #[inline(always)]
-    fn edges<T: Number>(
-        &self,
-        simd: S,
-        [a, b, c]: &[[[T; 4]; 3]; 3],
-    ) -> ([[P::Lanes<S>; 3]; 3], [P::Lanes<S>; 3]) {
+    fn edges<T: Number>(&self, simd: S, [a, b, c]: &[[[T; 4]; 3]; 3]) -> Edges<P::Lanes<S>> {
         let (a, b, c) = (self.moved(simd, a), self.moved(simd, b), self.moved(simd, c));
         let u = P::determinant::<S>(c[0], b[1], c[1], b[0]);
         let v = P::determinant::<S>(a[0], c[1], a[1], c[0]);
