@@ -39,7 +39,8 @@ impl Work for Look<'_> {
     type Output = Looked;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Looked {
-        let sight = Sight::<S, Accurate>::new(simd, self.ray, self.middle, self.half);
+        let sighted = Sighted::new::<Accurate>(self.ray, self.middle, self.half);
+        let sight = Sight::<S, Accurate>::new(simd, sighted);
         let (_, edges) = sight.edges(simd, &self.block.corners);
         let edges = edges.map(Four::to_array);
         let zero = [0.0; 4];
