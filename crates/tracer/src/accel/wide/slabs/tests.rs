@@ -194,7 +194,7 @@ fn boxes_are_wide_enough_for_points_as_far_beside_them_as_shapes_may_say() {
     for round in 0..3_000 {
         let mut aimed = if round % 2 == 0 { few_bits(&mut any) } else { all_sizes(&mut any) };
         let rounding = [1.0, 1e3, 1e9][any.usize(0..3)];
-        let largest = aimed.boxes.iter().map(|b| b.max_abs()).fold(0.0, f64::max);
+        let largest = aimed.boxes.iter().map(Aabb::max_abs).fold(0.0, f64::max);
         let off = OFF * rounding * (max_abs(aimed.ray.origin) + largest);
         for aabb in &mut aimed.boxes {
             let way = DVec3::from_array([0; 3].map(|_| off * sign(&mut any)));

@@ -144,7 +144,8 @@ fn edge_functions_and_t_are_within_their_bounds_and_those_are_not_far_away() {
             };
             let edges = line.edges(shear.turned(corners));
             for (edge, truth) in [edges.u, edges.v, edges.w].into_iter().zip(&truth.edges) {
-                decide = decide.max(off(edge, truth, 1.0 / scale) / (longest * scale).powi(2));
+                decide =
+                    decide.max(off(edge, truth, 1.0 / scale) / (longest * scale * longest * scale));
             }
             let contact = shear.decide(corners, Interval::new(f64::NEG_INFINITY, f64::INFINITY));
             for looked in &looks {
