@@ -134,7 +134,10 @@ impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Visitor for Closest<'_,
     }
 
     #[inline(always)]
-    fn expect(&self, _: Leaf) {}
+    fn address(&self, _: Leaf) -> *const u8 {
+        // Candidates are anywhere; this is in the cache already.
+        std::ptr::from_ref(self.bvh).cast()
+    }
 }
 
 struct Any<'a, F> {
@@ -150,7 +153,10 @@ impl<F: FnMut(u32) -> bool> Visitor for Any<'_, F> {
     }
 
     #[inline(always)]
-    fn expect(&self, _: Leaf) {}
+    fn address(&self, _: Leaf) -> *const u8 {
+        // Candidates are anywhere; this is in the cache already.
+        std::ptr::from_ref(self.bvh).cast()
+    }
 }
 
 struct Walk<'a, V, M> {

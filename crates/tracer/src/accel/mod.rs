@@ -12,10 +12,12 @@
 
 mod bvh;
 mod list;
+mod turns;
 pub(crate) mod wide;
 
 pub use bvh::Bvh;
 pub use list::List;
+pub(crate) use turns::Turns;
 
 use crate::meter::Meter;
 use crate::{Aabb, Interval, Ray};

@@ -1,6 +1,7 @@
 //! `Mesh`: triangles that share corners, with normals to interpolate where
 //! they have them.
 
+mod batch;
 mod blocks;
 mod packet;
 mod precision;

@@ -7,14 +7,14 @@ use std::arch::x86_64::{
     _mm_loadu_ps, _mm_max_ps, _mm_min_ps, _mm_movemask_ps, _mm_mul_ps, _mm_prefetch, _mm_set1_ps,
     _mm_setzero_ps, _mm_storeu_ps, _mm_sub_ps, _mm_xor_ps, _mm256_add_pd, _mm256_and_pd,
     _mm256_andnot_pd, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_cvtpd_ps, _mm256_cvtps_pd,
-    _mm256_div_pd, _mm256_fmadd_pd, _mm256_fmsub_ps, _mm256_fnmadd_pd, _mm256_loadu_pd,
+    _mm256_div_pd, _mm256_fmadd_pd, _mm256_fmadd_ps, _mm256_fnmadd_pd, _mm256_loadu_pd,
     _mm256_loadu_ps, _mm256_max_pd, _mm256_max_ps, _mm256_min_pd, _mm256_min_ps,
     _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_mul_ps, _mm256_set1_pd,
     _mm256_set1_ps, _mm256_setzero_pd, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd,
     _mm256_sub_ps, _mm256_xor_pd,
 };
 
-use super::{Eight, Four, Real, Simd, Work};
+use super::{Eight, Four, LINE, LINES, Real, Simd, Work};
 
 /// The proof that this processor has AVX2, FMA and BMI: [`Avx2::detect`] is the
 /// only way to one, and every vector below is made from one or from others of
@@ -75,9 +75,9 @@ impl Simd for Avx2 {
         Singles8(unsafe { _mm256_loadu_ps(x.as_ptr()) })
     }
     #[inline(always)]
-    fn four(self, x: f64) -> Singles4 {
+    fn four(self, x: f32) -> Singles4 {
         // SAFETY: `self`.
-        Singles4(unsafe { _mm_set1_ps(x as f32) })
+        Singles4(unsafe { _mm_set1_ps(x) })
     }
     #[inline(always)]
     fn load_four(self, x: &[f32; 4]) -> Singles4 {
@@ -105,11 +105,11 @@ impl Simd for Avx2 {
         Doubles4(unsafe { _mm256_cvtps_pd(_mm_loadu_ps(x.as_ptr())) })
     }
     #[inline(always)]
-    fn prefetch<T>(self, what: &T) {
-        let lines = std::ptr::from_ref(what).cast::<i8>();
-        for line in 0..size_of::<T>().div_ceil(64) {
+    fn prefetch(self, from: *const u8) {
+        for line in 0..LINES {
+            let at = from.wrapping_add(LINE * line).cast();
             // SAFETY: `self`; a hint, which reads nothing.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(lines.wrapping_add(64 * line)) };
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(at) };
         }
     }
 }
@@ -126,9 +126,9 @@ impl Eight for Singles8 {
         Self(unsafe { _mm256_mul_ps(self.0, times.0) })
     }
     #[inline(always)]
-    fn times_minus(self, times: Self, minus: Self) -> Self {
+    fn times_plus(self, times: Self, plus: Self) -> Self {
         // SAFETY: the type.
-        Self(unsafe { _mm256_fmsub_ps(self.0, times.0, minus.0) })
+        Self(unsafe { _mm256_fmadd_ps(self.0, times.0, plus.0) })
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

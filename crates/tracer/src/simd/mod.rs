@@ -46,9 +46,13 @@ mod stack;
 
 use crate::math::Real;
 
-pub(crate) use axis::Axis;
+pub(crate) use axis::{Axis, Side};
 pub(crate) use fused::{Formula, fused};
 pub(crate) use stack::{Room, Stack};
+
+/// Bytes in a line of the cache, and how many lines are worth fetching early.
+const LINE: usize = 64;
+const LINES: usize = 4;
 
 /// A set of instructions that this processor has.
 pub(crate) trait Simd: Copy {
@@ -63,8 +67,8 @@ pub(crate) trait Simd: Copy {
     fn eight(self, x: f32) -> Self::F8;
     /// Eight numbers.
     fn load_eight(self, x: &[f32; 8]) -> Self::F8;
-    /// Four times `x`, rounded.
-    fn four(self, x: f64) -> Self::F4;
+    /// Four times `x`.
+    fn four(self, x: f32) -> Self::F4;
     /// Four numbers.
     fn load_four(self, x: &[f32; 4]) -> Self::F4;
     /// Four numbers, each rounded.
@@ -75,8 +79,9 @@ pub(crate) trait Simd: Copy {
     fn load_four_long(self, x: &[f64; 4]) -> Self::D4;
     /// Four numbers, exactly.
     fn widen_four(self, x: &[f32; 4]) -> Self::D4;
-    /// Says that this will be read soon.
-    fn prefetch<T>(self, what: &T);
+    /// Says that the few lines of the cache from here on will be read soon; they
+    /// need not be there.
+    fn prefetch(self, from: *const u8);
 }
 
 /// Eight numbers of `f32`.
@@ -85,8 +90,8 @@ pub(crate) trait Eight: Copy {
     fn less(self, other: Self) -> Self;
     /// `self times`.
     fn times(self, times: Self) -> Self;
-    /// `self times - minus`, rounded once or twice.
-    fn times_minus(self, times: Self, minus: Self) -> Self;
+    /// `self times + plus`, rounded once or twice.
+    fn times_plus(self, times: Self, plus: Self) -> Self;
     /// The lower of each; `other`'s where one is a NaN.
     fn min(self, other: Self) -> Self;
     /// The higher of each; `other`'s where one is a NaN.

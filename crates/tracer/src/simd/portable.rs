@@ -28,8 +28,8 @@ impl Simd for Portable {
         Singles(*x)
     }
     #[inline(always)]
-    fn four(self, x: f64) -> Singles<4> {
-        Singles([x as f32; 4])
+    fn four(self, x: f32) -> Singles<4> {
+        Singles([x; 4])
     }
     #[inline(always)]
     fn load_four(self, x: &[f32; 4]) -> Singles<4> {
@@ -52,7 +52,7 @@ impl Simd for Portable {
         Doubles(x.map(f64::from))
     }
     #[inline(always)]
-    fn prefetch<T>(self, _: &T) {}
+    fn prefetch(self, _: *const u8) {}
 }
 
 macro_rules! lanes {
@@ -88,8 +88,8 @@ impl Eight for Singles<8> {
         Self(zip8(self.0, times.0, |a, b| a * b))
     }
     #[inline(always)]
-    fn times_minus(self, times: Self, minus: Self) -> Self {
-        Self(zip8(zip8(self.0, times.0, |a, b| a * b), minus.0, |a, b| a - b))
+    fn times_plus(self, times: Self, plus: Self) -> Self {
+        Self(zip8(zip8(self.0, times.0, |a, b| a * b), plus.0, |a, b| a + b))
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

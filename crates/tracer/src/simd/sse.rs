@@ -10,7 +10,7 @@ use std::arch::x86_64::{
     _mm_storeu_pd, _mm_storeu_ps, _mm_sub_pd, _mm_sub_ps, _mm_xor_pd, _mm_xor_ps,
 };
 
-use super::{Eight, Four, Real, Simd};
+use super::{Eight, Four, LINE, LINES, Real, Simd};
 
 /// SSE2 belongs to x86-64 itself, for which this file is compiled: so every
 /// `unsafe` block below may use it, and says what else it needs.
@@ -50,9 +50,9 @@ impl Simd for Sse {
         Singles8(unsafe { [_mm_loadu_ps(x.as_ptr()), _mm_loadu_ps(x[4..].as_ptr())] })
     }
     #[inline(always)]
-    fn four(self, x: f64) -> Singles4 {
+    fn four(self, x: f32) -> Singles4 {
         // SAFETY: SSE2.
-        Singles4(unsafe { _mm_set1_ps(x as f32) })
+        Singles4(unsafe { _mm_set1_ps(x) })
     }
     #[inline(always)]
     fn load_four(self, x: &[f32; 4]) -> Singles4 {
@@ -78,11 +78,11 @@ impl Simd for Sse {
         widened(self.load_four(x))
     }
     #[inline(always)]
-    fn prefetch<T>(self, what: &T) {
-        let lines = std::ptr::from_ref(what).cast::<i8>();
-        for line in 0..size_of::<T>().div_ceil(64) {
+    fn prefetch(self, from: *const u8) {
+        for line in 0..LINES {
+            let at = from.wrapping_add(LINE * line).cast();
             // SAFETY: SSE2; a hint, which reads nothing.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(lines.wrapping_add(64 * line)) };
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(at) };
         }
     }
 }
@@ -111,9 +111,9 @@ impl Eight for Singles8 {
         Self([0, 1].map(|k| unsafe { _mm_mul_ps(self.0[k], times.0[k]) }))
     }
     #[inline(always)]
-    fn times_minus(self, times: Self, minus: Self) -> Self {
+    fn times_plus(self, times: Self, plus: Self) -> Self {
         // SAFETY: SSE2.
-        Self([0, 1].map(|k| unsafe { _mm_sub_ps(_mm_mul_ps(self.0[k], times.0[k]), minus.0[k]) }))
+        Self([0, 1].map(|k| unsafe { _mm_add_ps(_mm_mul_ps(self.0[k], times.0[k]), plus.0[k]) }))
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

@@ -120,7 +120,7 @@ impl Work for Eights {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> ([[f32; 8]; 3], u32) {
         let [a, b, c] = self.0.map(|x| simd.load_eight(&x));
-        let lanes = [a.times_minus(b, c), a.min(b), a.max(b)];
+        let lanes = [a.times_plus(b, c), a.min(b), a.max(b)];
         (lanes.map(Eight::to_array), a.is_at_most(b))
     }
 }
@@ -135,8 +135,8 @@ fn eight_numbers_are_reckoned_with_like_one() {
         let ([times, min, max], bits) = level.run(Eights([a, b, c]));
         for k in 0..8 {
             let is = |got: f32, expected: f32| got == expected || got.is_nan() && expected.is_nan();
-            let once = a[k].mul_add(b[k], -c[k]);
-            assert!(is(times[k], once) || is(times[k], a[k] * b[k] - c[k]), "{level:?}");
+            let once = a[k].mul_add(b[k], c[k]);
+            assert!(is(times[k], once) || is(times[k], a[k] * b[k] + c[k]), "{level:?}");
             assert!(is(min[k], if a[k] < b[k] { a[k] } else { b[k] }), "{level:?}");
             assert!(is(max[k], if a[k] > b[k] { a[k] } else { b[k] }), "{level:?}");
             assert_eq!(bits >> k & 1 == 1, a[k] <= b[k], "{level:?}");
@@ -152,12 +152,12 @@ impl Work for Ways {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> [[f64; 4]; 5] {
         let singles = self.0.map(|x| x as f32);
-        simd.prefetch(&singles);
+        simd.prefetch(std::ptr::from_ref(&singles).cast());
         [
             simd.load_four(&singles).to_array(),
             simd.widen_four(&singles).to_array(),
             simd.load_four_long(&self.0).to_singles().map(f64::from),
-            simd.four(self.0[1]).to_array(),
+            simd.four(self.0[1] as f32).to_array(),
             simd.four_long(self.0[2]).to_array(),
         ]
     }

@@ -5,14 +5,16 @@
 //! misses, never keep one out that a candidate's own formula would hit.
 
 mod build;
+mod bundle;
 mod node;
 mod packet;
 mod slabs;
 mod walk;
 
 pub(crate) use build::{Candidates, Options};
+pub(crate) use bundle::{Abreast, Bundle, RAYS, longest};
 pub(crate) use node::{Leaf, MOST_PLACES};
-pub(crate) use packet::{Packet, RAYS, Visitors};
+pub(crate) use packet::{Packet, Visitors};
 pub(crate) use slabs::TimeScale;
 pub(crate) use walk::Visitor;
 

@@ -4,32 +4,22 @@
 //! It visits what each ray alone would visit, and a little more; who decides
 //! hits is the same. So it changes the time and no answer.
 
+use super::bundle::{Bundle, Each, RAYS};
 use super::node::{Leaf, Node};
-use super::slabs::{LARGEST, Slabs, TimeScale, is_usual, reach};
 use super::walk::Visitor;
 use super::{STACK, Wide};
 use crate::meter::{Event, Meter};
-use crate::simd::{Eight, Four, Room, Simd};
-use crate::{Interval, Ray};
+use crate::simd::{Eight, Room, Simd};
 
-/// How many rays are in a packet.
-pub(crate) const RAYS: usize = 16;
 /// Rays tested together with one box.
 const LANES: usize = 8;
 /// So few rays go on alone.
 const FEW: u32 = 4;
 
-/// A number for each ray.
-type Each<T> = [T; RAYS];
-
 /// Rays that go the same way along every axis.
-pub(crate) struct Packet<S: Simd> {
-    /// For each axis and ray what [`Slabs`] has.
-    recip: [Each<f32>; 3],
-    near: [Each<f32>; 3],
-    far: [Each<f32>; 3],
+pub(crate) struct Packet<'a, S: Simd> {
+    bundle: &'a Bundle,
     down: [bool; 3],
-    t_min: f32,
     /// Behind which nothing is of use to a ray.
     t_max: Each<f32>,
     /// For each axis the last start of a ray, as far as the way it goes, and the
@@ -39,8 +29,6 @@ pub(crate) struct Packet<S: Simd> {
     /// The least and the largest reciprocal of a direction.
     least: [S::F8; 3],
     most: [S::F8; 3],
-    /// How the slabs' parameter follows from the rays'.
-    pub(crate) time: TimeScale,
 }
 
 /// A child that waits, and the rays that may meet it.
@@ -61,103 +49,51 @@ pub(crate) trait Visitors {
     fn of(&mut self, ray: usize) -> impl Visitor;
 }
 
-impl<S: Simd> Packet<S> {
-    /// The packet of some rays, at most [`RAYS`]; `None` if they do not go the
-    /// same way along every axis, or one of them cannot be computed with like
-    /// that.
+impl<'a, S: Simd> Packet<'a, S> {
+    /// The packet of the rays of a bundle; `None` if they do not go the same way
+    /// along every axis, or one of them cannot be computed with like that.
     #[inline(always)]
-    pub(crate) fn new(simd: S, wide: &Wide, rays: &[Ray], range: Interval) -> Option<Self> {
-        let first = rays.first()?;
-        let (mut origin, mut direction) = ([[0.0; RAYS]; 3], [[0.0; RAYS]; 3]);
-        let mut farthest = 0.0_f64;
-        for k in 0..RAYS {
-            // Places that are left repeat the first ray.
-            let ray = rays.get(k).unwrap_or(first);
-            let reach = reach(wide, ray);
-            if !is_usual(wide, ray, reach) {
-                return None;
-            }
-            farthest = farthest.max(reach);
-            for axis in 0..3 {
-                origin[axis][k] = ray.origin[axis];
-                direction[axis][k] = ray.direction[axis];
-            }
+    pub(crate) fn new(simd: S, bundle: &'a Bundle) -> Option<Self> {
+        let all = (1 << RAYS) - 1;
+        if bundle.usual != all {
+            return None;
         }
-        let time = TimeScale::of(wide);
-        let (t_min, t_max) = (time.down(range.lo), time.up(range.hi));
-        let zero = [[0.0; RAYS]; 3];
+        let t_max = if bundle.t_max.is_nan() { f32::INFINITY } else { bundle.t_max };
         let nothing = [simd.eight(0.0); 3];
         let mut packet = Self {
-            recip: zero,
-            near: zero,
-            far: zero,
+            bundle,
             down: [false; 3],
-            t_min,
-            t_max: [if t_max.is_nan() { f32::INFINITY } else { t_max }; RAYS],
+            t_max: [t_max; RAYS],
             last: nothing,
             first: nothing,
             least: nothing,
             most: nothing,
-            time,
         };
+        // Outwards, for the rounding of the origins and of what is taken apart.
+        let widest = ends(simd, &bundle.apart).1.next_up();
         for axis in 0..3 {
-            if !packet.fill(simd, wide, axis, (&origin[axis], &direction[axis]), farthest) {
+            let (least, most) = ends(simd, &bundle.recip[axis]);
+            let (low, high) = ends(simd, &bundle.origin[axis]);
+            let (low, high) = ((low - widest).next_down(), (high + widest).next_up());
+            let is_down = most < 0.0;
+            if !is_down && !(least > 0.0) {
                 return None;
             }
+            packet.down[axis] = is_down;
+            let (last, first) = if is_down { (low, high) } else { (high, low) };
+            packet.last[axis] = simd.eight(last);
+            packet.first[axis] = simd.eight(first);
+            packet.least[axis] = simd.eight(least);
+            packet.most[axis] = simd.eight(most);
         }
         Some(packet)
-    }
-
-    /// Makes one axis ready; false if the rays go both ways along it.
-    #[inline(always)]
-    fn fill(
-        &mut self,
-        simd: S,
-        wide: &Wide,
-        axis: usize,
-        (origin, direction): (&Each<f64>, &Each<f64>),
-        farthest: f64,
-    ) -> bool {
-        let scale = simd.four_long(wide.scale);
-        let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
-        let mut widest = 0.0_f64;
-        for four in 0..RAYS / 4 {
-            let at = 4 * four;
-            let four_of = |each: &Each<f64>| [each[at], each[at + 1], each[at + 2], each[at + 3]];
-            let o = simd.load_four_long(&four_of(origin)) * scale;
-            let d = simd.load_four_long(&four_of(direction));
-            let recip = simd.four_long(1.0) / d;
-            let recip = recip.min(simd.four_long(LARGEST)).max(simd.four_long(-LARGEST));
-            let (near, far, apart) =
-                Slabs::<S>::sides(simd, wide, (o, recip), wide.extent[axis], farthest);
-            let (recip, o) = (recip.to_singles(), o.to_singles());
-            for (k, apart) in apart.to_array().into_iter().enumerate() {
-                self.recip[axis][at + k] = recip[k];
-                self.near[axis][at + k] = near[k];
-                self.far[axis][at + k] = far[k];
-                (low[0], high[0]) = (low[0].min(recip[k]), high[0].max(recip[k]));
-                (low[1], high[1]) = (low[1].min(o[k]), high[1].max(o[k]));
-                widest = widest.max(apart);
-            }
-        }
-        // Outwards, for the rounding of the origins and of what is taken apart.
-        let widest = (widest as f32).next_up();
-        let (low_o, high_o) = ((low[1] - widest).next_down(), (high[1] + widest).next_up());
-        let is_down = high[0] < 0.0;
-        self.down[axis] = is_down;
-        let (last, first) = if is_down { (low_o, high_o) } else { (high_o, low_o) };
-        self.last[axis] = simd.eight(last);
-        self.first[axis] = simd.eight(first);
-        self.least[axis] = simd.eight(low[0]);
-        self.most[axis] = simd.eight(high[0]);
-        is_down || low[0] > 0.0
     }
 
     /// A bit for each of a node's boxes that any ray may meet, and where the
     /// first may enter it.
     #[inline(always)]
     fn enter(&self, simd: S, node: &Node, t_max: f32) -> (u32, S::F8) {
-        let mut enter = simd.eight(self.t_min);
+        let mut enter = simd.eight(self.bundle.t_min);
         let mut leave = simd.eight(t_max);
         for axis in 0..3 {
             let down = self.down[axis];
@@ -179,29 +115,36 @@ impl<S: Simd> Packet<S> {
             if rays >> (LANES * lanes) & ((1 << LANES) - 1) == 0 {
                 continue;
             }
-            let mut enter = simd.eight(self.t_min);
+            let mut enter = simd.eight(self.bundle.t_min);
             let mut leave = simd.load_eight(eight(&self.t_max, lanes));
             for axis in 0..3 {
                 let down = self.down[axis];
                 let near = simd.eight(node.planes[axis][usize::from(down)][child]);
                 let far = simd.eight(node.planes[axis][usize::from(!down)][child]);
-                let recip = simd.load_eight(eight(&self.recip[axis], lanes));
-                let apart = simd.load_eight(eight(&self.near[axis], lanes));
-                enter = enter.max(near.times_minus(recip, apart));
-                let apart = simd.load_eight(eight(&self.far[axis], lanes));
-                leave = leave.min(far.times_minus(recip, apart));
+                let recip = simd.load_eight(eight(&self.bundle.recip[axis], lanes));
+                let apart = simd.load_eight(eight(&self.bundle.near[axis], lanes));
+                enter = enter.max(near.times_plus(recip, apart));
+                let apart = simd.load_eight(eight(&self.bundle.far[axis], lanes));
+                leave = leave.min(far.times_plus(recip, apart));
             }
             met |= enter.is_at_most(leave) << (LANES * lanes);
         }
         met & rays
     }
+}
 
-    /// The slabs of one ray.
-    #[inline(always)]
-    fn slabs(&self, simd: S, ray: usize) -> Slabs<S> {
-        let of = |each: &[Each<f32>; 3]| [each[0][ray], each[1][ray], each[2][ray]];
-        Slabs::of(simd, of(&self.recip), of(&self.near), of(&self.far), self.down, self.t_min)
+/// The least and the largest of some numbers.
+#[inline(always)]
+fn ends<S: Simd>(simd: S, each: &Each<f32>) -> (f32, f32) {
+    let (a, b) = (simd.load_eight(eight(each, 0)), simd.load_eight(eight(each, 1)));
+    let (mut least, mut most) = (f32::INFINITY, f32::NEG_INFINITY);
+    for x in a.min(b).to_array() {
+        least = least.min(x);
     }
+    for x in a.max(b).to_array() {
+        most = most.max(x);
+    }
+    (least, most)
 }
 
 /// Eight of all.
@@ -228,7 +171,7 @@ impl Wide {
     pub(crate) fn walk_packet<S: Simd, V: Visitors>(
         &self,
         simd: S,
-        packet: &mut Packet<S>,
+        packet: &mut Packet<'_, S>,
         mut rays: u32,
         meter: &impl Meter,
         visitors: &mut V,
@@ -274,7 +217,7 @@ impl Wide {
                     }
                 } else if met.count_ones() <= FEW {
                     for ray in bits(met) {
-                        let slabs = packet.slabs(simd, ray);
+                        let slabs = packet.bundle.slabs(simd, ray);
                         let t_max = &mut packet.t_max[ray];
                         let visitor = &mut visitors.of(ray);
                         if self.walk_from(simd, &slabs, child, t_max, meter, visitor) {

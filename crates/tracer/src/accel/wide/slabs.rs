@@ -3,7 +3,7 @@
 
 use super::Wide;
 use crate::math::{Real, UNIT_ROUNDOFF, max_abs, power_of_two_below};
-use crate::simd::{Eight, Four, Simd};
+use crate::simd::{Eight, Four, Side, Simd};
 use crate::{Interval, Ray};
 
 /// Half the distance from 1 to the next `f32`.
@@ -35,7 +35,7 @@ pub(super) fn thickness(rounding: f64) -> f64 {
 pub(super) const LARGEST: f64 = (1_u64 << 60) as f64;
 /// The longest component of a direction is between this and its reciprocal,
 /// or brought there by a power of two.
-const LONGEST: f64 = (1_u64 << 20) as f64;
+pub(super) const LONGEST: f64 = (1_u64 << 20) as f64;
 /// An origin farther away than this many times the boxes' largest coordinate
 /// would leave the range of `f32`: such a ray enters every box.
 pub(super) const FARTHEST: f64 = (1_u64 << 30) as f64;
@@ -45,11 +45,12 @@ pub(super) const FARTHEST: f64 = (1_u64 << 30) as f64;
 pub(super) struct Slabs<S: Simd> {
     /// For each axis the reciprocal of the direction.
     recip: [S::F8; 3],
-    /// What is taken from a near side times that, and from a far side.
+    /// What is added to a near side times that, and to a far side.
     near: [S::F8; 3],
     far: [S::F8; 3],
-    /// Whether the ray goes down the axis, and so enters through the upper side.
-    down: [bool; 3],
+    /// For each axis the side that the ray enters by, and the one it leaves by.
+    entry: [Side; 3],
+    exit: [Side; 3],
     /// From where on hits count.
     t_min: S::F8,
 }
@@ -96,14 +97,14 @@ fn rounding_f32(x: f64) -> f64 {
 
 /// The largest coordinate of the ray's origin plus the boxes', scaled.
 #[inline(always)]
-pub(super) fn reach(wide: &Wide, ray: &Ray) -> f64 {
+fn reach(wide: &Wide, ray: &Ray) -> f64 {
     max_abs(ray.origin) * wide.scale + wide.largest
 }
 
 /// Whether the ray can be computed with as it is: not so for an infinity anywhere.
 /// With a NaN nothing is met, and so it does not matter which boxes are entered.
 #[inline(always)]
-pub(super) fn is_usual(wide: &Wide, ray: &Ray, reach: f64) -> bool {
+fn is_usual(wide: &Wide, ray: &Ray, reach: f64) -> bool {
     let longest = max_abs(ray.direction);
     1.0 / LONGEST < longest && longest < LONGEST && reach < wide.farthest
 }
@@ -134,13 +135,10 @@ impl<S: Simd> Slabs<S> {
                 let ray = Ray { direction: ray.direction / unit, ..*ray };
                 Self::usual(simd, wide, &ray, reach, t_min)
             }
-            None => Self {
-                recip: [simd.eight(0.0); 3],
-                near: [simd.eight(f32::INFINITY); 3],
-                far: [simd.eight(f32::NEG_INFINITY); 3],
-                down: [false; 3],
-                t_min: simd.eight(t_min),
-            },
+            None => {
+                let (near, far) = ([f32::NEG_INFINITY; 3], [f32::INFINITY; 3]);
+                Self::of(simd, [0.0; 3], near, far, t_min)
+            }
         };
         (slabs, time)
     }
@@ -154,55 +152,33 @@ impl<S: Simd> Slabs<S> {
         let recip = simd.four_long(1.0) / direction;
         let recip = recip.min(simd.four_long(LARGEST)).max(simd.four_long(-LARGEST));
         let extent = simd.load_four_long(&wide.extent);
-        let apart = Self::apart(simd, wide, origin, extent, reach) * recip.magnitude();
+        let apart =
+            Self::apart(simd, wide, origin, extent, simd.four_long(reach)) * recip.magnitude();
         let at = origin * recip;
-        let (near, far) = ((at + apart).to_singles(), (at - apart).to_singles());
+        let (near, far) = ((-(at + apart)).to_singles(), (apart - at).to_singles());
         let [x, y, z, _] = recip.to_singles();
         let three = |[x, y, z, _]: [f32; 4]| [x, y, z];
-        // Of a -0 too.
-        let down = [x < 0.0, y < 0.0, z < 0.0];
-        Self::of(simd, [x, y, z], three(near), three(far), down, t_min)
+        Self::of(simd, [x, y, z], three(near), three(far), t_min)
     }
 
     /// How far the sides of boxes are moved apart, as lengths.
     #[inline(always)]
-    fn apart(simd: S, wide: &Wide, origin: S::D4, extent: S::D4, reach: f64) -> S::D4 {
+    pub(super) fn apart(simd: S, wide: &Wide, origin: S::D4, extent: S::D4, reach: S::D4) -> S::D4 {
         let sizes = origin.magnitude() + extent;
         let roundings = simd.four_long(ROUNDINGS * UNIT_ROUNDOFF_F32);
-        simd.four_long(wide.thickness * reach).plus_product(sizes, roundings)
-    }
-
-    /// What is taken from near sides and from far sides of one axis for four rays
-    /// of these origins and reciprocals; and how far they are moved apart, as
-    /// lengths.
-    #[inline(always)]
-    pub(super) fn sides(
-        simd: S,
-        wide: &Wide,
-        (origin, recip): (S::D4, S::D4),
-        extent: f64,
-        reach: f64,
-    ) -> ([f32; 4], [f32; 4], S::D4) {
-        let apart = Self::apart(simd, wide, origin, simd.four_long(extent), reach);
-        let (at, by) = (origin * recip, apart * recip.magnitude());
-        ((at + by).to_singles(), (at - by).to_singles(), apart)
+        (simd.four_long(wide.thickness) * reach).plus_product(sizes, roundings)
     }
 
     /// The slabs of these numbers.
     #[inline(always)]
-    pub(super) fn of(
-        simd: S,
-        recip: [f32; 3],
-        near: [f32; 3],
-        far: [f32; 3],
-        down: [bool; 3],
-        t_min: f32,
-    ) -> Self {
+    pub(super) fn of(simd: S, recip: [f32; 3], near: [f32; 3], far: [f32; 3], t_min: f32) -> Self {
+        let entry @ [x, y, z] = Side::entries(recip);
         Self {
             recip: eights(simd, recip),
             near: eights(simd, near),
             far: eights(simd, far),
-            down,
+            entry,
+            exit: [x.other(), y.other(), z.other()],
             t_min: simd.eight(t_min),
         }
     }
@@ -213,14 +189,14 @@ impl<S: Simd> Slabs<S> {
     pub(super) fn enter(&self, simd: S, planes: &[[[f32; 8]; 2]; 3], t_max: f32) -> (u32, S::F8) {
         let [x, y, z] = [0, 1, 2];
         let near = [
-            self.side(simd, planes, x, self.down[x], self.near[x]),
-            self.side(simd, planes, y, self.down[y], self.near[y]),
-            self.side(simd, planes, z, self.down[z], self.near[z]),
+            self.side(simd, self.entry[x].of(planes), x, self.near[x]),
+            self.side(simd, self.entry[y].of(planes), y, self.near[y]),
+            self.side(simd, self.entry[z].of(planes), z, self.near[z]),
         ];
         let far = [
-            self.side(simd, planes, x, !self.down[x], self.far[x]),
-            self.side(simd, planes, y, !self.down[y], self.far[y]),
-            self.side(simd, planes, z, !self.down[z], self.far[z]),
+            self.side(simd, self.exit[x].of(planes), x, self.far[x]),
+            self.side(simd, self.exit[y].of(planes), y, self.far[y]),
+            self.side(simd, self.exit[z].of(planes), z, self.far[z]),
         ];
         // A ray that enters every box multiplies the infinite sides of a child that
         // is not there by 0: the NaN goes through to the comparison.
@@ -231,15 +207,8 @@ impl<S: Simd> Slabs<S> {
 
     /// Where the ray crosses one side of each of the boxes.
     #[inline(always)]
-    fn side(
-        &self,
-        simd: S,
-        planes: &[[[f32; 8]; 2]; 3],
-        axis: usize,
-        is_upper: bool,
-        minus: S::F8,
-    ) -> S::F8 {
-        simd.load_eight(&planes[axis][usize::from(is_upper)]).times_minus(self.recip[axis], minus)
+    fn side(&self, simd: S, planes: &[f32; 8], axis: usize, plus: S::F8) -> S::F8 {
+        simd.load_eight(planes).times_plus(self.recip[axis], plus)
     }
 }
 

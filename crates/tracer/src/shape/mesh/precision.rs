@@ -4,8 +4,10 @@ use crate::math::UNIT_ROUNDOFF;
 use crate::simd::{Four, Simd};
 
 /// What a leaf computes in.
-pub(super) trait Precision {
-    /// Four numbers.
+pub(super) trait Precision: Copy {
+    /// A number.
+    type Number: Copy;
+    /// Four of them.
     type Lanes<S: Simd>: Four;
 
     /// The largest error of an edge function, as a part of the square of the
@@ -13,8 +15,10 @@ pub(super) trait Precision {
     /// for and its sign is taken as it is.
     const DOUBT: f64;
 
+    /// The number, rounded.
+    fn round(x: f64) -> Self::Number;
     /// Four times `x`.
-    fn splat<S: Simd>(simd: S, x: f64) -> Self::Lanes<S>;
+    fn splat<S: Simd>(simd: S, x: Self::Number) -> Self::Lanes<S>;
     /// Four numbers.
     fn singles<S: Simd>(simd: S, x: &[f32; 4]) -> Self::Lanes<S>;
     /// Four numbers.
@@ -29,12 +33,15 @@ pub(super) trait Precision {
 }
 
 /// In `f64`, to be decided exactly where that is not enough.
+#[derive(Clone, Copy)]
 pub(super) struct Accurate;
 
 /// In `f32`, for good.
+#[derive(Clone, Copy)]
 pub(super) struct Fast;
 
 impl Precision for Accurate {
+    type Number = f64;
     type Lanes<S: Simd> = S::D4;
 
     /// With `m` the distance: corners are moved to within 7 roundings of `m`
@@ -44,6 +51,10 @@ impl Precision for Accurate {
     /// within 6, has the sign of one that is off by 48. The rest is slack.
     const DOUBT: f64 = 256.0 * UNIT_ROUNDOFF;
 
+    #[inline(always)]
+    fn round(x: f64) -> f64 {
+        x
+    }
     #[inline(always)]
     fn splat<S: Simd>(simd: S, x: f64) -> S::D4 {
         simd.four_long(x)
@@ -63,12 +74,17 @@ impl Precision for Accurate {
 }
 
 impl Precision for Fast {
+    type Number = f32;
     type Lanes<S: Simd> = S::F4;
 
     const DOUBT: f64 = 0.0;
 
     #[inline(always)]
-    fn splat<S: Simd>(simd: S, x: f64) -> S::F4 {
+    fn round(x: f64) -> f32 {
+        x as f32
+    }
+    #[inline(always)]
+    fn splat<S: Simd>(simd: S, x: f32) -> S::F4 {
         simd.four(x)
     }
     #[inline(always)]

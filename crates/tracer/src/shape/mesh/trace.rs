@@ -1,15 +1,11 @@
-//! A mesh's answers: one ray, or a batch, by a list, a few blocks or the
-//! hierarchy.
+//! A mesh's answers to one ray, by a list, a few blocks or the hierarchy.
 
 use super::blocks::{Block, Blocks, Number};
-use super::packet;
 use super::precision::{Accurate, Fast, Precision};
 use super::sight::{Sight, Sighted};
 use super::visit::{All, Any, Best, Closest, Known, Question};
-use super::winners::Winners;
 use super::{Contact, Departure, Event, Interval, Mesh, Meter, Order, Ray, Shear, Unmetered};
-use crate::accel::Coherence;
-use crate::accel::wide::{Leaf, RAYS, TimeScale, Visitor};
+use crate::accel::wide::{Leaf, TimeScale, Visitor};
 use crate::simd::{Simd, Work};
 
 impl Mesh {
@@ -31,30 +27,6 @@ impl Mesh {
         found.sort_unstable();
         found.dedup();
         found.len() as u32
-    }
-
-    /// What [`Geometry::intersect`](super::Geometry::intersect) says of each of
-    /// these rays, put in its place in `contacts`, which is as long.
-    pub fn intersect_batch(
-        &self,
-        rays: &[Ray],
-        range: Interval,
-        coherence: Coherence,
-        contacts: &mut [Option<Contact>],
-    ) {
-        self.level.run(ClosestOfEach { mesh: self, rays, range, coherence, contacts });
-    }
-
-    /// What [`Geometry::occludes`](super::Geometry::occludes) says of each of
-    /// these rays, put in its place in `occluded`, which is as long.
-    pub fn occludes_batch(
-        &self,
-        rays: &[Ray],
-        range: Interval,
-        coherence: Coherence,
-        occluded: &mut [bool],
-    ) {
-        self.level.run(AnyOfEach { mesh: self, rays, range, coherence, occluded });
     }
 
     /// The first contact of a ray, which may leave one of the triangles.
@@ -148,7 +120,7 @@ fn show<S: Simd, V: Visitor, M: Meter>(simd: S, question: &Question<'_, M>, visi
 
 /// Calls a function that has a precision and a number of storage for the mesh's.
 macro_rules! by_storage {
-    ($mesh:expr, $call:ident $(::<$more:ty>)? ($($arg:expr),*)) => {
+    ($mesh:expr, $call:ident $(::<$more:tt>)? ($($arg:expr),*)) => {
         match (&$mesh.blocks, $mesh.is_fast) {
             (Blocks::Single(blocks), false) => $call::<S, Accurate, _ $(, $more)?>($($arg,)* blocks),
             (Blocks::Single(blocks), true) => $call::<S, Fast, _ $(, $more)?>($($arg,)* blocks),
@@ -156,6 +128,7 @@ macro_rules! by_storage {
         }
     };
 }
+pub(super) use by_storage;
 
 #[inline(always)]
 fn closest<S: Simd, P: Precision, T: Number, M: Meter>(
@@ -163,11 +136,10 @@ fn closest<S: Simd, P: Precision, T: Number, M: Meter>(
     question: &Question<'_, M>,
     blocks: &[Block<T>],
 ) -> Known {
-    let mut best = Best::nothing(question.range);
+    let (sighted, mut best) = (question.sighted::<P>(), Best::nothing(question.range));
     let mut visitor = Closest {
-        simd,
-        question,
-        sight: question.sight::<S, P>(simd),
+        question: *question,
+        sight: Sight::new(simd, &sighted),
         blocks,
         time: TimeScale::ANY,
         best: &mut best,
@@ -186,60 +158,15 @@ fn contact<S: Simd, P: Precision, T: Number, M: Meter>(
 }
 
 #[inline(always)]
-fn closest_of_each<S: Simd, P: Precision, T: Number>(
-    simd: S,
-    batch: ClosestOfEach<'_>,
-    blocks: &[Block<T>],
-) {
-    let ClosestOfEach { mesh, rays, range, coherence, contacts } = batch;
-    let mut winners = Winners::new(simd, range, rays, contacts);
-    for (k, some) in rays.chunks(RAYS).enumerate() {
-        let first = k * RAYS;
-        if let (Order::Wide(wide), Coherence::Coherent) = (&mesh.order, coherence)
-            && let Some(known) = packet::closest::<S, P, T>(simd, (mesh, wide), some, range, blocks)
-        {
-            for (i, known) in known.into_iter().enumerate().take(some.len()) {
-                winners.add(first + i, known, blocks);
-            }
-            continue;
-        }
-        for (i, ray) in some.iter().enumerate() {
-            let question = mesh.question(ray, range, None, &Unmetered);
-            winners.add(first + i, closest::<S, P, T, _>(simd, &question, blocks), blocks);
-        }
-    }
-    winners.finish();
-}
-
-#[inline(always)]
-fn any_of_each<S: Simd, P: Precision, T: Number>(
-    simd: S,
-    batch: AnyOfEach<'_>,
-    blocks: &[Block<T>],
-) {
-    let AnyOfEach { mesh, rays, range, coherence, occluded } = batch;
-    for (some, occluded) in rays.chunks(RAYS).zip(occluded.chunks_mut(RAYS)) {
-        if let (Order::Wide(wide), Coherence::Coherent) = (&mesh.order, coherence)
-            && packet::any::<S, P, T>(simd, (mesh, wide), some, range, blocks, occluded)
-        {
-            continue;
-        }
-        for (ray, occluded) in some.iter().zip(occluded) {
-            let question = mesh.question(ray, range, None, &Unmetered);
-            *occluded = any::<S, P, T, _>(simd, &question, blocks).is_some();
-        }
-    }
-}
-
-#[inline(always)]
 fn any<S: Simd, P: Precision, T: Number, M: Meter>(
     simd: S,
     question: &Question<'_, M>,
     blocks: &[Block<T>],
 ) -> Option<u32> {
-    let sight = question.sight::<S, P>(simd);
+    let sighted = question.sighted::<P>();
+    let sight = Sight::new(simd, &sighted);
     let mut found = None;
-    show(simd, question, &mut Any { simd, question, sight, blocks, found: &mut found });
+    show(simd, question, &mut Any { question: *question, sight, blocks, found: &mut found });
     found
 }
 
@@ -249,16 +176,17 @@ fn crossed<S: Simd, P: Precision, T: Number, M: Meter>(
     question: &Question<'_, M>,
     blocks: &[Block<T>],
 ) -> Vec<u32> {
-    let sight = question.sight::<S, P>(simd);
-    let mut visitor = All { simd, question, sight, blocks, found: Vec::new() };
+    let sighted = question.sighted::<P>();
+    let sight = Sight::new(simd, &sighted);
+    let mut visitor = All { question: *question, sight, blocks, found: Vec::new() };
     show(simd, question, &mut visitor);
     visitor.found
 }
 
 impl<M: Meter> Question<'_, M> {
     #[inline(always)]
-    fn sight<S: Simd, P: Precision>(&self, simd: S) -> Sight<S, P> {
-        Sight::new(simd, Sighted::new::<P>(self.ray, self.mesh.middle, self.mesh.half))
+    fn sighted<P: Precision>(&self) -> Sighted<P> {
+        Sighted::new(self.ray, self.mesh.middle, self.mesh.half)
     }
 }
 
@@ -289,51 +217,5 @@ impl<M: Meter> Work for Crossed<'_, M> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Vec<u32> {
         by_storage!(self.0.mesh, crossed::<M>(simd, self.0))
-    }
-}
-
-struct ClosestOfEach<'a> {
-    mesh: &'a Mesh,
-    rays: &'a [Ray],
-    range: Interval,
-    coherence: Coherence,
-    contacts: &'a mut [Option<Contact>],
-}
-
-impl Work for ClosestOfEach<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) {
-        let mesh = self.mesh;
-        if matches!(mesh.order, Order::List(_)) {
-            for (ray, contact) in self.rays.iter().zip(self.contacts) {
-                *contact = mesh.closest(ray, self.range, None, &Unmetered);
-            }
-            return;
-        }
-        by_storage!(mesh, closest_of_each(simd, self));
-    }
-}
-
-struct AnyOfEach<'a> {
-    mesh: &'a Mesh,
-    rays: &'a [Ray],
-    range: Interval,
-    coherence: Coherence,
-    occluded: &'a mut [bool],
-}
-
-impl Work for AnyOfEach<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) {
-        let mesh = self.mesh;
-        if matches!(mesh.order, Order::List(_)) {
-            for (ray, occluded) in self.rays.iter().zip(self.occluded) {
-                *occluded = mesh.occluder(ray, self.range, None, None, &Unmetered).is_some();
-            }
-            return;
-        }
-        by_storage!(mesh, any_of_each(simd, self));
     }
 }

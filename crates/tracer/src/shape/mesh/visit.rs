@@ -9,7 +9,7 @@
 use super::super::triangle::Shear;
 use super::blocks::{Block, LANES, Number};
 use super::precision::Precision;
-use super::sight::{Meetings, Sight};
+use super::sight::Sight;
 use super::{Contact, Departure, Mesh};
 use crate::accel::wide::{Leaf, TimeScale, Visitor};
 use crate::meter::{Event, Meter};
@@ -17,7 +17,6 @@ use crate::simd::Simd;
 use crate::{Interval, Ray};
 
 /// A ray and what it asks of a mesh.
-#[derive(Clone, Copy)]
 pub(super) struct Question<'a, M> {
     pub(super) mesh: &'a Mesh,
     pub(super) ray: &'a Ray,
@@ -25,6 +24,16 @@ pub(super) struct Question<'a, M> {
     pub(super) from: Option<Departure>,
     pub(super) meter: &'a M,
 }
+
+impl<M> Clone for Question<'_, M> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+// Whatever the meter is.
+impl<M> Copy for Question<'_, M> {}
 
 impl<M: Meter> Question<'_, M> {
     /// Whether the ray may meet the triangle of this number in a lane of a block.
@@ -52,9 +61,8 @@ impl<M: Meter> Question<'_, M> {
 
 /// Looks for the closest hit.
 pub(super) struct Closest<'a, S: Simd, P: Precision, T, M> {
-    pub(super) simd: S,
-    pub(super) question: &'a Question<'a, M>,
-    pub(super) sight: Sight<S, P>,
+    pub(super) question: Question<'a, M>,
+    pub(super) sight: Sight<'a, S, P>,
     pub(super) blocks: &'a [Block<T>],
     pub(super) time: TimeScale,
     pub(super) best: &'a mut Best,
@@ -89,6 +97,12 @@ impl Best {
 }
 
 impl Known {
+    /// All of a hit, if there is one.
+    #[inline(always)]
+    pub(super) fn of(contact: Option<Contact>) -> Self {
+        contact.map_or(Self::Nothing, Self::Contact)
+    }
+
     /// The hit in numbers.
     #[inline(always)]
     pub(super) fn contact<T: Number, M: Meter>(
@@ -104,23 +118,36 @@ impl Known {
     }
 }
 
-impl<S: Simd, P: Precision, T: Number, M: Meter> Closest<'_, S, P, T, M> {
-    /// One that may be met, or may be closest, or neither: found out exactly.
-    #[cold]
-    fn ask(&mut self, block: usize, lane: usize) {
-        let here = &self.blocks[block];
-        let Some(contact) = self.question.decide(here, lane) else { return };
-        if !self.question.may_meet(here, lane) {
-            return;
-        }
-        let best = self.best.known.contact(self.question, self.blocks);
-        // Of equal ones the lower number wins, as in the list.
-        let order = |contact: &Contact| (contact.t, contact.part);
-        let wins = best.is_none_or(|best| order(&contact) < order(&best));
-        if let Some(best) = if wins { Some(contact) } else { best } {
-            *self.best = Best { lo: best.t, hi: best.t, known: Known::Contact(best) };
-        }
+/// The best hit, with the triangle in a lane that may be met, or may be closest,
+/// or neither: found out exactly.
+#[cold]
+#[inline(never)]
+fn asked<T: Number, M: Meter>(
+    question: Question<'_, M>,
+    blocks: &[Block<T>],
+    best: Best,
+    (block, lane): (usize, usize),
+) -> Best {
+    let here = &blocks[block];
+    let Some(contact) = question.decide(here, lane) else { return best };
+    if !question.may_meet(here, lane) {
+        return best;
     }
+    let known = best.known.contact(&question, blocks);
+    // Of equal ones the lower number wins, as in the list.
+    let order = |contact: &Contact| (contact.t, contact.part);
+    let wins = known.is_none_or(|known| order(&contact) < order(&known));
+    match if wins { Some(contact) } else { known } {
+        Some(contact) => Best { lo: contact.t, hi: contact.t, known: Known::Contact(contact) },
+        None => best,
+    }
+}
+
+/// Whether the triangle in a lane is met, exactly.
+#[cold]
+#[inline(never)]
+fn is_met<T: Number, M: Meter>(question: Question<'_, M>, block: &Block<T>, lane: usize) -> bool {
+    question.decide(block, lane).is_some()
 }
 
 /// The lanes of the bits, lowest first.
@@ -146,8 +173,11 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
         let place = leaf.place();
         let block = &self.blocks[place];
         self.question.meter.count_many(Event::Triangle, || block.count());
-        let Some(seen) = self.sight.look(self.simd, block) else { return false };
         let range = self.question.range;
+        let seen = self.sight.look(block, (range.lo, self.best.hi));
+        if seen.met == 0 {
+            return false;
+        }
         if P::DOUBT == 0.0 {
             let t = seen.t();
             for lane in lanes(seen.met) {
@@ -160,16 +190,14 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
                 }
             }
         } else {
-            let Meetings { sure, lo, hi } = self.sight.meetings(self.simd, &seen);
+            let [lo, hi] = seen.range();
             for lane in lanes(seen.met) {
-                let (is_sure, lo, hi) = (sure >> lane & 1 == 1, lo[lane], hi[lane]);
-                if is_sure && (lo > self.best.hi || hi < range.lo)
-                    || self.question.leaves(block.numbers[lane])
-                {
+                let (is_sure, lo, hi) = (seen.sure >> lane & 1 == 1, lo[lane], hi[lane]);
+                if self.question.leaves(block.numbers[lane]) || is_sure && lo > self.best.hi {
                     continue;
                 }
                 if !(is_sure && lo > range.lo && hi < self.best.lo) {
-                    self.ask(place, lane);
+                    *self.best = asked(self.question, self.blocks, *self.best, (place, lane));
                 } else if self.question.may_meet(block, lane) {
                     *self.best = Best { lo, hi, known: Known::Sure { block: place, lane } };
                 }
@@ -180,18 +208,15 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
     }
 
     #[inline(always)]
-    fn expect(&self, leaf: Leaf) {
-        if let Some(block) = self.blocks.get(leaf.place()) {
-            self.simd.prefetch(block);
-        }
+    fn address(&self, leaf: Leaf) -> *const u8 {
+        self.blocks.as_ptr().wrapping_add(leaf.place()).cast()
     }
 }
 
 /// Looks for any hit.
 pub(super) struct Any<'a, S: Simd, P: Precision, T, M> {
-    pub(super) simd: S,
-    pub(super) question: &'a Question<'a, M>,
-    pub(super) sight: Sight<S, P>,
+    pub(super) question: Question<'a, M>,
+    pub(super) sight: Sight<'a, S, P>,
     pub(super) blocks: &'a [Block<T>],
     /// Which triangle was hit.
     pub(super) found: &'a mut Option<u32>,
@@ -204,23 +229,20 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Any<'_, S, P, T, M>
     fn visit(&mut self, leaf: Leaf, _: &mut f32) -> bool {
         let block = &self.blocks[leaf.place()];
         self.question.meter.count_many(Event::Triangle, || block.count());
-        let Some(seen) = self.sight.look(self.simd, block) else { return false };
         let range = self.question.range;
-        let known = if P::DOUBT == 0.0 {
-            let t = seen.t();
-            Meetings { sure: seen.met, lo: t, hi: t }
-        } else {
-            self.sight.meetings(self.simd, &seen)
-        };
+        let seen = self.sight.look(block, (range.lo, range.hi));
+        if seen.met == 0 {
+            return false;
+        }
+        let [lo, hi] = seen.range();
         for lane in lanes(seen.met) {
-            let is_sure = known.sure >> lane & 1 == 1;
-            let t = Interval::new(known.lo[lane], known.hi[lane]);
-            let is_met = if is_sure && range.lo < t.lo && t.hi < range.hi {
+            let is_sure = seen.sure >> lane & 1 == 1;
+            let is_met = if is_sure && range.lo < lo[lane] && hi[lane] < range.hi {
                 true
-            } else if P::DOUBT == 0.0 || is_sure && !(t.lo < range.hi && range.lo < t.hi) {
+            } else if P::DOUBT == 0.0 {
                 false
             } else {
-                self.question.decide(block, lane).is_some()
+                is_met(self.question, block, lane)
             };
             if is_met && self.question.may_meet(block, lane) {
                 *self.found = Some(block.numbers[lane]);
@@ -231,18 +253,15 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Any<'_, S, P, T, M>
     }
 
     #[inline(always)]
-    fn expect(&self, leaf: Leaf) {
-        if let Some(block) = self.blocks.get(leaf.place()) {
-            self.simd.prefetch(block);
-        }
+    fn address(&self, leaf: Leaf) -> *const u8 {
+        self.blocks.as_ptr().wrapping_add(leaf.place()).cast()
     }
 }
 
 /// Looks for all hits.
 pub(super) struct All<'a, S: Simd, P: Precision, T, M> {
-    pub(super) simd: S,
-    pub(super) question: &'a Question<'a, M>,
-    pub(super) sight: Sight<S, P>,
+    pub(super) question: Question<'a, M>,
+    pub(super) sight: Sight<'a, S, P>,
     pub(super) blocks: &'a [Block<T>],
     /// The numbers of the triangles that were hit.
     pub(super) found: Vec<u32>,
@@ -254,13 +273,14 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for All<'_, S, P, T, M>
     #[inline(always)]
     fn visit(&mut self, leaf: Leaf, _: &mut f32) -> bool {
         let block = &self.blocks[leaf.place()];
-        if let Some(seen) = self.sight.look(self.simd, block) {
-            let hit = |&lane: &usize| self.question.decide(block, lane).is_some();
-            self.found.extend(lanes(seen.met).filter(hit).map(|lane| block.numbers[lane]));
-        }
+        let seen = self.sight.look(block, (self.question.range.lo, self.question.range.hi));
+        let hit = |&lane: &usize| self.question.decide(block, lane).is_some();
+        self.found.extend(lanes(seen.met).filter(hit).map(|lane| block.numbers[lane]));
         false
     }
 
     #[inline(always)]
-    fn expect(&self, _: Leaf) {}
+    fn address(&self, leaf: Leaf) -> *const u8 {
+        self.blocks.as_ptr().wrapping_add(leaf.place()).cast()
+    }
 }

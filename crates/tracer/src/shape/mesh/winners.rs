@@ -9,22 +9,22 @@ use crate::simd::{Four, Simd};
 
 /// How many rays wait for each other.
 const LANES: usize = 4;
-/// A bit for each.
-const ALL: u32 = (1 << LANES) - 1;
 
-/// Up to four rays and the triangle that each hits first, for sure. Their `t` and
-/// weights come from [`Shear`]'s own formulas, with its bits.
+/// Rays and the triangle that each hits first, for sure, until there are four.
+/// Their `t` and weights come from [`Shear`]'s own formulas, with its bits.
 pub(super) struct Winners<'a, S> {
     simd: S,
     range: Interval,
     rays: &'a [Ray],
     contacts: &'a mut [Option<Contact>],
-    count: usize,
-    lanes: Lanes,
+    waiting: Waiting,
+    /// Those whose numbers are to be found again with twice the digits.
+    drawn: Waiting,
 }
 
-/// What waits, lane by lane.
-struct Lanes {
+/// Up to four that wait, lane by lane.
+struct Waiting {
+    count: usize,
     /// Which ray, and which triangle.
     ray: [usize; LANES],
     part: [u32; LANES],
@@ -32,6 +32,64 @@ struct Lanes {
     direction: [[f64; LANES]; 3],
     scale: [f64; LANES],
     corners: [[[f64; LANES]; 3]; 3],
+    /// What was found already.
+    t: [f64; LANES],
+    barycentric: [[f64; LANES]; 2],
+}
+
+impl Waiting {
+    #[inline(always)]
+    fn nobody() -> Self {
+        Self {
+            count: 0,
+            ray: [0; LANES],
+            part: [0; LANES],
+            origin: [[0.0; LANES]; 3],
+            direction: [[0.0; LANES]; 3],
+            scale: [0.0; LANES],
+            corners: [[[0.0; LANES]; 3]; 3],
+            t: [0.0; LANES],
+            barycentric: [[0.0; LANES]; 2],
+        }
+    }
+
+    #[inline(always)]
+    fn line<S: Simd>(&self, simd: S) -> Line<S::D4> {
+        Line { origin: load(simd, &self.origin), d: load(simd, &self.direction) }
+    }
+
+    #[inline(always)]
+    fn corners<S: Simd>(&self, simd: S) -> [[S::D4; 3]; 3] {
+        let [a, b, c] = &self.corners;
+        [load(simd, a), load(simd, b), load(simd, c)]
+    }
+
+    /// Takes over what waits in a lane, to wait for more.
+    #[inline(always)]
+    fn take(&mut self, from: &Self, lane: usize) {
+        let (to, lane) = (self.count % LANES, lane % LANES);
+        self.ray[to] = from.ray[lane];
+        self.part[to] = from.part[lane];
+        self.scale[to] = from.scale[lane];
+        self.t[to] = from.t[lane];
+        for k in 0..2 {
+            self.barycentric[k][to] = from.barycentric[k][lane];
+        }
+        for axis in 0..3 {
+            self.origin[axis][to] = from.origin[axis][lane];
+            self.direction[axis][to] = from.direction[axis][lane];
+            for corner in 0..3 {
+                self.corners[corner][axis][to] = from.corners[corner][axis][lane];
+            }
+        }
+        self.count += 1;
+    }
+
+    #[inline(always)]
+    fn contact(&self, lane: usize) -> Contact {
+        let [beta, gamma] = &self.barycentric;
+        Contact { t: self.t[lane], part: self.part[lane], barycentric: [beta[lane], gamma[lane]] }
+    }
 }
 
 impl<'a, S: Simd> Winners<'a, S> {
@@ -43,15 +101,8 @@ impl<'a, S: Simd> Winners<'a, S> {
         rays: &'a [Ray],
         contacts: &'a mut [Option<Contact>],
     ) -> Self {
-        let lanes = Lanes {
-            ray: [0; LANES],
-            part: [0; LANES],
-            origin: [[0.0; LANES]; 3],
-            direction: [[0.0; LANES]; 3],
-            scale: [0.0; LANES],
-            corners: [[[0.0; LANES]; 3]; 3],
-        };
-        Self { simd, range, rays, contacts, count: 0, lanes }
+        let (waiting, drawn) = (Waiting::nobody(), Waiting::nobody());
+        Self { simd, range, rays, contacts, waiting, drawn }
     }
 
     /// What is known of the first hit of a ray.
@@ -65,19 +116,20 @@ impl<'a, S: Simd> Winners<'a, S> {
                 let shear = Shear::new(&self.rays[ray]);
                 let (line, scale) = shear.line();
                 let [a, b, c] = shear.turned(block.triangle(lane));
-                let (here, lanes) = (self.count % LANES, &mut self.lanes);
-                lanes.ray[here] = ray;
-                lanes.part[here] = block.numbers[lane % LANES];
-                lanes.scale[here] = scale;
+                let waiting = &mut self.waiting;
+                let here = waiting.count % LANES;
+                waiting.ray[here] = ray;
+                waiting.part[here] = block.numbers[lane % LANES];
+                waiting.scale[here] = scale;
                 for axis in 0..3 {
-                    lanes.origin[axis][here] = line.origin[axis];
-                    lanes.direction[axis][here] = line.d[axis];
-                    lanes.corners[0][axis][here] = a[axis];
-                    lanes.corners[1][axis][here] = b[axis];
-                    lanes.corners[2][axis][here] = c[axis];
+                    waiting.origin[axis][here] = line.origin[axis];
+                    waiting.direction[axis][here] = line.d[axis];
+                    waiting.corners[0][axis][here] = a[axis];
+                    waiting.corners[1][axis][here] = b[axis];
+                    waiting.corners[2][axis][here] = c[axis];
                 }
-                self.count += 1;
-                if self.count == LANES {
+                waiting.count += 1;
+                if waiting.count == LANES {
                     self.find_out();
                 }
             }
@@ -87,57 +139,79 @@ impl<'a, S: Simd> Winners<'a, S> {
     /// The numbers of those that still wait.
     #[inline(always)]
     pub(super) fn finish(mut self) {
-        if self.count > 0 {
-            self.find_out();
-        }
+        self.find_out();
+        self.find_out_drawn();
     }
 
     #[inline(always)]
     fn find_out(&mut self) {
-        let (simd, lanes) = (self.simd, &self.lanes);
-        let scale = simd.load_four_long(&lanes.scale);
-        let line = Line { origin: load(simd, &lanes.origin), d: load(simd, &lanes.direction) };
-        let [a, b, c] = &lanes.corners;
-        let corners = [load(simd, a), load(simd, b), load(simd, c)];
-        let edges = line.edges(corners);
+        let (simd, waiting) = (self.simd, &mut self.waiting);
+        let line = waiting.line(simd);
+        let edges = line.edges(waiting.corners(simd));
         let mean = line.mean(&edges);
         let zero = simd.four_long(0.0);
         let lowest = edges.u.min(edges.v).min(edges.w);
         let highest = edges.u.max(edges.v).max(edges.w);
         let sure = !(lowest.is_at_most(zero) & zero.is_at_most(highest));
         let is_drawn = !mean.drawn[0].is_at_most(mean.drawn[1]);
-        let mut t = (mean.t * scale).to_array();
-        let mut weights = mean.barycentric.map(Four::to_array);
-        if is_drawn & ALL != 0 {
-            let mean = line.long_mean(corners, &edges);
-            let long_t = (mean.t * scale).to_array();
-            let long_weights = mean.barycentric.map(Four::to_array);
-            for lane in (0..LANES).filter(|lane| is_drawn >> lane & 1 == 1) {
-                if long_t[lane].is_finite() {
-                    t[lane] = long_t[lane];
-                    weights[0][lane] = long_weights[0][lane];
-                    weights[1][lane] = long_weights[1][lane];
+        waiting.t = (mean.t * simd.load_four_long(&waiting.scale)).to_array();
+        let [beta, gamma] = mean.barycentric;
+        waiting.barycentric = [beta.to_array(), gamma.to_array()];
+        for lane in 0..waiting.count.min(LANES) {
+            let waiting = &self.waiting;
+            if sure >> lane & 1 == 0 {
+                self.contacts[waiting.ray[lane]] = self.alone(waiting, lane);
+            } else if is_drawn >> lane & 1 == 1 {
+                self.drawn.take(waiting, lane);
+                if self.drawn.count == LANES {
+                    self.find_out_drawn();
                 }
+            } else {
+                self.contacts[waiting.ray[lane]] = self.settled(waiting, lane);
             }
         }
-        let [beta, gamma] = weights;
-        for lane in 0..self.count.min(LANES) {
-            let (ray, part) = (self.lanes.ray[lane], self.lanes.part[lane]);
-            let contact = Contact { t: t[lane], part, barycentric: [beta[lane], gamma[lane]] };
-            let is_good = sure >> lane & 1 == 1 && self.range.contains(contact.t);
-            self.contacts[ray] = if is_good { Some(contact) } else { self.alone(lane) };
+        self.waiting.count = 0;
+    }
+
+    #[inline(always)]
+    fn find_out_drawn(&mut self) {
+        let (simd, drawn) = (self.simd, &mut self.drawn);
+        let (line, corners) = (drawn.line(simd), drawn.corners(simd));
+        let mean = line.long_mean(corners, &line.edges(corners));
+        let t = (mean.t * simd.load_four_long(&drawn.scale)).to_array();
+        let [beta, gamma] = mean.barycentric;
+        let (beta, gamma) = (beta.to_array(), gamma.to_array());
+        for lane in 0..drawn.count.min(LANES) {
+            if t[lane].is_finite() {
+                drawn.t[lane] = t[lane];
+                drawn.barycentric[0][lane] = beta[lane];
+                drawn.barycentric[1][lane] = gamma[lane];
+            }
         }
-        self.count = 0;
+        for lane in 0..drawn.count.min(LANES) {
+            let drawn = &self.drawn;
+            self.contacts[drawn.ray[lane]] = self.settled(drawn, lane);
+        }
+        self.drawn.count = 0;
+    }
+
+    /// The contact that was found, if it is in range.
+    #[inline(always)]
+    fn settled(&self, waiting: &Waiting, lane: usize) -> Option<Contact> {
+        let contact = waiting.contact(lane);
+        if self.range.contains(contact.t) { Some(contact) } else { self.alone(waiting, lane) }
     }
 
     /// The contact of one for which that was not enough.
     #[cold]
-    fn alone(&self, lane: usize) -> Option<Contact> {
-        let ray = &self.rays[self.lanes.ray[lane]];
+    #[inline(never)]
+    fn alone(&self, waiting: &Waiting, lane: usize) -> Option<Contact> {
+        let ray = &self.rays[waiting.ray[lane]];
         let shear = Shear::new(ray);
-        let corners = self.lanes.corners.map(|corner| shear.turned_back(corner.map(|x| x[lane])));
+        let corners =
+            waiting.corners.map(|corner| shear.turned_back(corner.map(|x| x[lane % LANES])));
         let contact = shear.decide(corners, self.range)?;
-        Some(Contact { part: self.lanes.part[lane], ..contact })
+        Some(Contact { part: waiting.part[lane], ..contact })
     }
 }
 

@@ -39,18 +39,13 @@ impl Work for Look<'_> {
     type Output = Looked;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Looked {
-        let sighted = Sighted::new::<Accurate>(self.ray, self.middle, self.half);
-        let sight = Sight::<S, Accurate>::new(simd, sighted);
-        let (_, edges) = sight.edges(simd, &self.block.corners);
+        let sighted = Sighted::<Accurate>::new(self.ray, self.middle, self.half);
+        let sight = Sight::new(simd, &sighted);
+        let (_, edges) = sight.edges(&self.block.corners);
         let edges = edges.map(Four::to_array);
-        let zero = [0.0; 4];
-        match sight.look(simd, self.block) {
-            None => Looked { edges, met: 0, sure: 0, t: zero, lo: zero, hi: zero },
-            Some(seen) => {
-                let Meetings { sure, lo, hi } = sight.meetings(simd, &seen);
-                Looked { edges, met: seen.met, sure, t: seen.t(), lo, hi }
-            }
-        }
+        let seen = sight.look(self.block, (f64::NEG_INFINITY, f64::INFINITY));
+        let [lo, hi] = seen.range();
+        Looked { edges, met: seen.met, sure: seen.sure, t: seen.t(), lo, hi }
     }
 }
 
