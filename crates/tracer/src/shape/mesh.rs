@@ -250,6 +250,14 @@ impl Mesh {
     }
 }
 
+/// The contact of a ray with a triangle, by itself: for the few that need it,
+/// whatever instructions the others are met with.
+#[cold]
+#[inline(never)]
+fn decided(ray: &Ray, corners: [DVec3; 3], range: Interval) -> Option<Contact> {
+    Shear::new(ray).decide(corners, range)
+}
+
 impl Geometry for Mesh {
     fn bounds(&self) -> Aabb {
         self.bounds

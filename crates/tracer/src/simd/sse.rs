@@ -159,8 +159,7 @@ impl Real for Singles4 {
     #[inline(always)]
     fn fused(self, times: Self, plus: Self) -> Self {
         let (a, b, c) = (self.to_singles(), times.to_singles(), plus.to_singles());
-        let each: [f32; 4] = std::array::from_fn(|k| a[k].mul_add(b[k], c[k]));
-        Sse::EVERYWHERE.load_four(&each)
+        Sse::EVERYWHERE.load_four(&fused_singles(&a, &b, &c))
     }
     #[inline(always)]
     fn magnitude(self) -> Self {
@@ -230,8 +229,7 @@ impl Real for Doubles4 {
     #[inline(always)]
     fn fused(self, times: Self, plus: Self) -> Self {
         let (a, b, c) = (self.to_array(), times.to_array(), plus.to_array());
-        let each: [f64; 4] = std::array::from_fn(|k| a[k].mul_add(b[k], c[k]));
-        Sse::EVERYWHERE.load_four_long(&each)
+        Sse::EVERYWHERE.load_four_long(&fused_doubles(&a, &b, &c))
     }
     #[inline(always)]
     fn magnitude(self) -> Self {
@@ -295,4 +293,17 @@ impl Four for Doubles4 {
     fn to_singles(self) -> [f32; 4] {
         narrowed(self).to_singles()
     }
+}
+
+/// `a b + c` of four, rounded once. Each is a call of a function here, which is
+/// not repeated wherever a formula needs one: there are hundreds.
+#[inline(never)]
+fn fused_singles(a: &[f32; 4], b: &[f32; 4], c: &[f32; 4]) -> [f32; 4] {
+    std::array::from_fn(|k| a[k].mul_add(b[k], c[k]))
+}
+
+/// [`fused_singles`] of numbers twice as long.
+#[inline(never)]
+fn fused_doubles(a: &[f64; 4], b: &[f64; 4], c: &[f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|k| a[k].mul_add(b[k], c[k]))
 }

@@ -129,11 +129,15 @@ fn asked<T: Number, M: Meter>(
     (block, lane): (usize, usize),
 ) -> Best {
     let here = &blocks[block];
-    let Some(contact) = question.decide(here, lane) else { return best };
+    let Some(contact) = asked_alone(question, here, lane) else { return best };
     if !question.may_meet(here, lane) {
         return best;
     }
-    let known = best.known.contact(&question, blocks);
+    let known = match best.known {
+        Known::Nothing => None,
+        Known::Sure { block, lane } => asked_alone(question, &blocks[block], lane),
+        Known::Contact(contact) => Some(contact),
+    };
     // Of equal ones the lower number wins, as in the list.
     let order = |contact: &Contact| (contact.t, contact.part);
     let wins = known.is_none_or(|known| order(&contact) < order(&known));
@@ -143,11 +147,15 @@ fn asked<T: Number, M: Meter>(
     }
 }
 
-/// Whether the triangle in a lane is met, exactly.
-#[cold]
-#[inline(never)]
-fn is_met<T: Number, M: Meter>(question: Question<'_, M>, block: &Block<T>, lane: usize) -> bool {
-    question.decide(block, lane).is_some()
+/// The contact with the triangle in a lane, by itself.
+#[inline(always)]
+fn asked_alone<T: Number, M: Meter>(
+    question: Question<'_, M>,
+    block: &Block<T>,
+    lane: usize,
+) -> Option<Contact> {
+    let contact = super::decided(question.ray, block.triangle(lane), question.range)?;
+    Some(Contact { part: block.numbers[lane % LANES], ..contact })
 }
 
 /// The lanes of the bits, lowest first.
@@ -242,7 +250,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Any<'_, S, P, T, M>
             } else if P::DOUBT == 0.0 {
                 false
             } else {
-                is_met(self.question, block, lane)
+                asked_alone(self.question, block, lane).is_some()
             };
             if is_met && self.question.may_meet(block, lane) {
                 *self.found = Some(block.numbers[lane]);
@@ -274,7 +282,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for All<'_, S, P, T, M>
     fn visit(&mut self, leaf: Leaf, _: &mut f32) -> bool {
         let block = &self.blocks[leaf.place()];
         let seen = self.sight.look(block, (self.question.range.lo, self.question.range.hi));
-        let hit = |&lane: &usize| self.question.decide(block, lane).is_some();
+        let hit = |&lane: &usize| asked_alone(self.question, block, lane).is_some();
         self.found.extend(lanes(seen.met).filter(hit).map(|lane| block.numbers[lane]));
         false
     }

@@ -1,6 +1,8 @@
 //! `Winners`: the numbers of hits that are sure, found out for four rays at a
 //! time.
 
+use glam::DVec3;
+
 use super::super::triangle::{Line, Shear};
 use super::blocks::{Block, Number};
 use super::visit::Known;
@@ -83,6 +85,13 @@ impl Waiting {
             }
         }
         self.count += 1;
+    }
+
+    /// The triangle of a lane, turned back.
+    #[cold]
+    fn triangle(&self, ray: &Ray, lane: usize) -> [DVec3; 3] {
+        let shear = Shear::new(ray);
+        self.corners.map(|corner| shear.turned_back(corner.map(|x| x[lane % LANES])))
     }
 
     #[inline(always)]
@@ -203,14 +212,10 @@ impl<'a, S: Simd> Winners<'a, S> {
     }
 
     /// The contact of one for which that was not enough.
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     fn alone(&self, waiting: &Waiting, lane: usize) -> Option<Contact> {
         let ray = &self.rays[waiting.ray[lane]];
-        let shear = Shear::new(ray);
-        let corners =
-            waiting.corners.map(|corner| shear.turned_back(corner.map(|x| x[lane % LANES])));
-        let contact = shear.decide(corners, self.range)?;
+        let contact = super::decided(ray, waiting.triangle(ray, lane), self.range)?;
         Some(Contact { part: waiting.part[lane], ..contact })
     }
 }
