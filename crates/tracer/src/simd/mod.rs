@@ -77,6 +77,9 @@ pub(crate) trait Simd: Copy {
     fn widen_four(self, x: &[f32; 4]) -> Self::D4;
     /// Says that this will be read soon.
     fn prefetch<T>(self, what: &T);
+    /// Does the work with these instructions, in a function of its own: for what
+    /// is long and asked from many places, each of which would be a copy.
+    fn apart<W: Work>(self, work: W) -> W::Output;
 }
 
 /// Eight numbers of `f32`.
@@ -113,6 +116,20 @@ pub(crate) trait Four: Real {
     fn to_array(self) -> [f64; 4];
     /// The numbers, rounded.
     fn to_singles(self) -> [f32; 4];
+}
+
+/// Does the work with the instructions that every processor of the target has:
+/// for what nobody waits for, so that it is compiled for these alone.
+#[inline]
+pub(crate) fn run_plainly<W: Work>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        work.run(sse::Sse::EVERYWHERE)
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        work.run(portable::Portable)
+    }
 }
 
 /// Work that is compiled for every level; `run` must be `#[inline(always)]`.

@@ -13,7 +13,7 @@ use super::sight::{Meetings, Sight};
 use super::{Contact, Departure, Mesh};
 use crate::accel::wide::{Leaf, TimeScale, Visitor};
 use crate::meter::{Event, Meter};
-use crate::simd::Simd;
+use crate::simd::{Simd, Work};
 use crate::{Interval, Ray};
 
 /// A ray and what it asks of a mesh.
@@ -47,6 +47,22 @@ impl<M: Meter> Question<'_, M> {
     #[inline(always)]
     fn leaves(&self, number: u32) -> bool {
         self.from.is_some_and(|from| from.part == number)
+    }
+}
+
+/// Whether the ray meets the triangle in a lane: asked where a look has not
+/// settled it, which is rare.
+struct Decide<'a, T, M> {
+    question: &'a Question<'a, M>,
+    block: &'a Block<T>,
+    lane: usize,
+}
+
+impl<T: Number, M: Meter> Work for Decide<'_, T, M> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> bool {
+        self.question.decide(self.block, self.lane).is_some()
     }
 }
 
@@ -220,7 +236,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Any<'_, S, P, T, M>
             } else if P::DOUBT == 0.0 || is_sure && !(t.lo < range.hi && range.lo < t.hi) {
                 false
             } else {
-                self.question.decide(block, lane).is_some()
+                self.simd.apart(Decide { question: self.question, block, lane })
             };
             if is_met && self.question.may_meet(block, lane) {
                 *self.found = Some(block.numbers[lane]);

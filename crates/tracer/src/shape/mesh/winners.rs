@@ -5,7 +5,7 @@ use super::super::triangle::{Line, Shear};
 use super::blocks::{Block, Number};
 use super::visit::Known;
 use super::{Contact, Interval, Ray};
-use crate::simd::{Four, Simd};
+use crate::simd::{Four, Simd, Work};
 
 /// How many rays wait for each other.
 const LANES: usize = 4;
@@ -78,7 +78,7 @@ impl<'a, S: Simd> Winners<'a, S> {
                 }
                 self.count += 1;
                 if self.count == LANES {
-                    self.find_out();
+                    self.simd.apart(FindOut(self));
                 }
             }
         }
@@ -88,7 +88,7 @@ impl<'a, S: Simd> Winners<'a, S> {
     #[inline(always)]
     pub(super) fn finish(mut self) {
         if self.count > 0 {
-            self.find_out();
+            self.simd.apart(FindOut(&mut self));
         }
     }
 
@@ -138,6 +138,17 @@ impl<'a, S: Simd> Winners<'a, S> {
         let corners = self.lanes.corners.map(|corner| shear.turned_back(corner.map(|x| x[lane])));
         let contact = shear.decide(corners, self.range)?;
         Some(Contact { part: self.lanes.part[lane], ..contact })
+    }
+}
+
+/// Those that wait, found out: long, and asked wherever a ray is added.
+struct FindOut<'a, 'b, S>(&'a mut Winners<'b, S>);
+
+impl<S: Simd> Work for FindOut<'_, '_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run<T: Simd>(self, _: T) {
+        self.0.find_out();
     }
 }
 
