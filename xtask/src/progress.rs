@@ -6,11 +6,11 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Counts fixtures; shared between threads.
-pub(crate) struct Progress(ProgressBar);
+pub struct Progress(ProgressBar);
 
 impl Progress {
     /// Starts counting to `total`; `doing` is "checking" or the like.
-    pub(crate) fn start(doing: &'static str, total: usize) -> Self {
+    pub fn start(doing: &'static str, total: usize) -> Self {
         let bar = bar(total as u64, "{prefix} [{bar:40}] {pos}/{len} {wide_msg}");
         if bar.is_hidden() {
             let s = if total == 1 { "" } else { "s" };
@@ -21,19 +21,19 @@ impl Progress {
     }
 
     /// One more is done, the last of them being this.
-    pub(crate) fn advance(&self, last: &str) {
+    pub fn advance(&self, last: &str) {
         self.0.set_message(last.to_owned());
         self.0.inc(1);
     }
 
     /// Takes the bar away.
-    pub(crate) fn finish(&self) {
+    pub fn finish(&self) {
         self.0.finish_and_clear();
     }
 }
 
 /// Counts the cases of a stress run, which may take hours.
-pub(crate) struct CaseProgress {
+pub struct CaseProgress {
     bar: ProgressBar,
     /// When a line was last printed in place of the bar.
     said: Instant,
@@ -44,7 +44,7 @@ impl CaseProgress {
     const SAY_EVERY: Duration = Duration::from_secs(30);
 
     /// Starts at `done` of `total`.
-    pub(crate) fn start(done: u64, total: u64) -> Self {
+    pub fn start(done: u64, total: u64) -> Self {
         let bar = bar(total, "stressing [{bar:40}] {percent} %, {eta} to go {wide_msg}");
         if bar.is_hidden() {
             eprintln!("stressing with {total} cases");
@@ -55,7 +55,7 @@ impl CaseProgress {
     }
 
     /// So many are done, the last of them of this family.
-    pub(crate) fn reach(&mut self, done: u64, family: &str) {
+    pub fn reach(&mut self, done: u64, family: &str) {
         self.bar.set_message(family.to_owned());
         self.bar.set_position(done);
         if self.bar.is_hidden() && self.said.elapsed() > Self::SAY_EVERY {
@@ -66,7 +66,7 @@ impl CaseProgress {
     }
 
     /// Takes the bar away.
-    pub(crate) fn finish(&self) {
+    pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
 }

@@ -111,8 +111,6 @@ fn help_of_every_verb() {
         "digest",
         "meshes",
         "bench",
-        "bench error",
-        "stress",
     ];
     let all = verbs.map(|verb| format!("==== {verb} ====\n{}", help(verb))).join("\n");
     insta::assert_snapshot!(all);
@@ -335,30 +333,6 @@ fn meshes_are_looked_for_beside_the_scene_and_nowhere_else() {
             .unwrap();
         tree.run(&["check"]).expect_code(1).expect("is a link that leaves the scene's folder");
     }
-}
-
-#[test]
-fn stress_and_bench_ask_by_name() {
-    let tree = Tree::new(&[("square", SQUARE)]);
-    for verb in [&["stress"][..], &["bench", "error"]] {
-        let ran = tree.run(&[verb, &["no-such-family"]].concat()).expect_code(2);
-        ran.expect("the filter \"no-such-family\" selects nothing");
-        let listed = tree.run(&[verb, &["sphere/*", "--list"]].concat()).expect_code(0).stdout();
-        assert!(listed.contains("sphere/") && !listed.contains("triangle/"), "{listed}");
-    }
-}
-
-#[test]
-fn stress_replays_kept_cases_and_takes_up_a_full_run() {
-    let tree = Tree::new(&[("square", SQUARE)]);
-    let full = ["stress", "image/fixed-scenes", "--full"];
-    tree.run(&full).expect_code(0).expect("1 cases of 1 families from seed 2011, 0 kept ones");
-    tree.run(&full).expect_code(0).expect("1 of 1 cases were done before");
-    let kept = "image/fixed-scenes 0x0p+0 # once wrong\n";
-    tree.write("tests/kept-cases.txt", kept.as_bytes());
-    tree.run(&["stress", "image/fixed-scenes"]).expect_code(0).expect("1 kept ones");
-    tree.write("tests/kept-cases.txt", b"image/fixed-scenes 0.5x\n");
-    tree.run(&["stress", "image/fixed-scenes"]).expect_code(2).expect("kept-cases.txt");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use std::ops::AddAssign;
 
 use crate::Skipping;
 use crate::group::Occluder;
+use crate::simd::{self, Level};
 
 /// Something that is counted.
 pub(crate) trait Meter {
@@ -17,6 +18,8 @@ pub(crate) trait Meter {
     fn count(&self, event: Event);
     /// It happened so many times more; they are counted only if that is asked.
     fn count_many(&self, event: Event, times: impl FnOnce() -> usize);
+    /// Does work that is counted like this, at this level or plainly.
+    fn run<W: simd::Work>(level: Level, work: W) -> W::Output;
 }
 
 /// Counts nothing.
@@ -28,6 +31,10 @@ impl Meter for Unmetered {
     fn count(&self, _: Event) {}
     #[inline(always)]
     fn count_many(&self, _: Event, _: impl FnOnce() -> usize) {}
+    #[inline(always)]
+    fn run<W: simd::Work>(level: Level, work: W) -> W::Output {
+        level.run(work)
+    }
 }
 
 /// Counts everything, for one thread.
@@ -43,6 +50,11 @@ impl Meter for Counter {
     fn count_many(&self, event: Event, times: impl FnOnce() -> usize) {
         let cell = &self.0[event as usize];
         cell.set(cell.get() + times() as u64);
+    }
+    /// Plainly, so that the counts are the same on every processor of a kind.
+    #[inline]
+    fn run<W: simd::Work>(_: Level, work: W) -> W::Output {
+        simd::run_plainly(work)
     }
 }
 

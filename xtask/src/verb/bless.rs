@@ -6,8 +6,8 @@ use harness::report::numbers;
 use harness::store;
 use harness::suite::Suite;
 
-use crate::progress::Progress;
-use crate::{Answer, CannotAsk, Here};
+use xtask::progress::Progress;
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `bless`.
 #[derive(Debug, clap::Args)]

@@ -7,8 +7,8 @@ use harness::report::{outcome_line, run_json, summarize};
 use harness::run;
 use harness::verdict::Verdict;
 
-use crate::progress::Progress;
-use crate::{Answer, CannotAsk, Here};
+use xtask::progress::Progress;
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `check`.
 #[derive(Debug, clap::Args)]

@@ -9,7 +9,7 @@ use harness::report::{comparison_json, comparison_lines};
 use harness::store;
 use serde_json::json;
 
-use crate::{Answer, CannotAsk};
+use xtask::{Answer, CannotAsk};
 
 /// Flags of `compare`.
 #[derive(Debug, clap::Args)]

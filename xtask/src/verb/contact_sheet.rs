@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use harness::suite::Suite;
 use harness::{golden, picture, run};
 
-use crate::{Answer, CannotAsk, Here};
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `contact-sheet`.
 #[derive(Debug, clap::Args)]

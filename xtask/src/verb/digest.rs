@@ -4,8 +4,8 @@
 use harness::digest::{self, TABLE, Table};
 use harness::verdict::shell_word;
 
-use crate::progress::Progress;
-use crate::{Answer, CannotAsk, Here};
+use xtask::progress::Progress;
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `digest`.
 #[derive(Debug, clap::Args)]

@@ -6,7 +6,7 @@ use harness::metric::{Direction, METRICS};
 use harness::suite::Suite;
 use serde_json::{Value, json};
 
-use crate::{Answer, CannotAsk, Here};
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `list`.
 #[derive(Debug, clap::Args)]

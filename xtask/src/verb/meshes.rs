@@ -3,7 +3,7 @@
 use harness::sample_mesh::sample_meshes;
 use harness::store;
 
-use crate::{Answer, CannotAsk, Here};
+use xtask::{Answer, CannotAsk, Here};
 
 pub(crate) fn run(here: &Here) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;

@@ -3,7 +3,7 @@
 use harness::template::new_fixture;
 use harness::verdict::shell_word;
 
-use crate::{Answer, CannotAsk, Here};
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `new`.
 #[derive(Debug, clap::Args)]

@@ -26,6 +26,9 @@ pub(crate) struct Args {
     /// Leave out the largest two sizes of each sweep
     #[arg(long)]
     short: bool,
+    /// Only the smallest two sizes of each: seconds, enough to see that all of it works
+    #[arg(long, conflicts_with = "short")]
+    quick: bool,
 }
 
 /// Times of one thing at several sizes.
@@ -97,8 +100,9 @@ impl Sweep {
 pub(crate) fn run(args: &Args) -> Result<ExitCode, String> {
     let machine = Machine::here();
     let keep = |sizes: &[usize]| {
-        let left_out = if args.short { 2 } else { 0 };
-        sizes[..sizes.len() - left_out].to_vec()
+        let all = sizes.len();
+        let count = if args.quick { 2 } else { all - if args.short { 2 } else { 0 } };
+        sizes[..count.min(all)].to_vec()
     };
     let (sweeps, threads) = (sweeps::all(&keep)?, sweeps::threads()?);
     let report = Report { schema: 1, machine, sweeps, threads };

@@ -75,7 +75,7 @@ impl Bvh {
         meter: &M,
         visitor: &mut V,
     ) -> bool {
-        self.level.run(Walk { wide: &self.wide, ray, range, meter, visitor })
+        M::run(self.level, Walk { wide: &self.wide, ray, range, meter, visitor })
     }
 
     fn candidates(&self, leaf: Leaf) -> &[u32] {

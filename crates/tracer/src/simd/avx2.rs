@@ -112,6 +112,10 @@ impl Simd for Avx2 {
             unsafe { _mm_prefetch::<_MM_HINT_T0>(at) };
         }
     }
+    #[inline(always)]
+    fn apart<W: Work>(self, work: W) -> W::Output {
+        self.run(work)
+    }
 }
 
 impl Eight for Singles8 {

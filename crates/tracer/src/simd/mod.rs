@@ -82,6 +82,9 @@ pub(crate) trait Simd: Copy {
     /// Says that the few lines of the cache from here on will be read soon; they
     /// need not be there.
     fn prefetch(self, from: *const u8);
+    /// Does the work with these instructions, in a function of its own: for what
+    /// is long and asked from many places, each of which would be a copy.
+    fn apart<W: Work>(self, work: W) -> W::Output;
 }
 
 /// Eight numbers of `f32`.
@@ -118,6 +121,20 @@ pub(crate) trait Four: Real {
     fn to_array(self) -> [f64; 4];
     /// The numbers, rounded.
     fn to_singles(self) -> [f32; 4];
+}
+
+/// Does the work with the instructions that every processor of the target has:
+/// for what nobody waits for, so that it is compiled for these alone.
+#[inline]
+pub(crate) fn run_plainly<W: Work>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        work.run(sse::Sse::EVERYWHERE)
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        work.run(portable::Portable)
+    }
 }
 
 /// Work that is compiled for every level; `run` must be `#[inline(always)]`.

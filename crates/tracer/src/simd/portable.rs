@@ -1,6 +1,6 @@
 //! The level of every processor: arrays, which the compiler may make vectors of.
 
-use super::{Eight, Four, Real, Simd};
+use super::{Eight, Four, Real, Simd, Work};
 
 /// No instructions but those of the target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,6 +53,10 @@ impl Simd for Portable {
     }
     #[inline(always)]
     fn prefetch(self, _: *const u8) {}
+    #[inline(never)]
+    fn apart<W: Work>(self, work: W) -> W::Output {
+        work.run(self)
+    }
 }
 
 macro_rules! lanes {

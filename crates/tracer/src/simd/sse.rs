@@ -10,7 +10,7 @@ use std::arch::x86_64::{
     _mm_storeu_pd, _mm_storeu_ps, _mm_sub_pd, _mm_sub_ps, _mm_xor_pd, _mm_xor_ps,
 };
 
-use super::{Eight, Four, LINE, LINES, Real, Simd};
+use super::{Eight, Four, LINE, LINES, Real, Simd, Work};
 
 /// SSE2 belongs to x86-64 itself, for which this file is compiled: so every
 /// `unsafe` block below may use it, and says what else it needs.
@@ -84,6 +84,10 @@ impl Simd for Sse {
             // SAFETY: SSE2; a hint, which reads nothing.
             unsafe { _mm_prefetch::<_MM_HINT_T0>(at) };
         }
+    }
+    #[inline(never)]
+    fn apart<W: Work>(self, work: W) -> W::Output {
+        work.run(self)
     }
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::slabs::{LARGEST, LONGEST, Slabs, TimeScale};
 use super::{Visitor, Wide};
 use crate::math::Real;
-use crate::meter::Meter;
+use crate::meter::Unmetered;
 use crate::simd::{Four, Simd};
 use crate::{Interval, Ray};
 
@@ -142,17 +142,22 @@ fn put(each: &mut Each<f32>, at: usize, four: impl Four) {
 
 impl Wide {
     /// Shows a visitor the leaves whose boxes one ray of a bundle may meet, as
-    /// [`Wide::walk_ray`] does. Only for a ray that is usual.
+    /// [`Wide::walk_ray`] does; in a function of its own if that is asked. Only
+    /// for a ray that is usual.
     #[inline(always)]
-    pub(crate) fn walk_one<S: Simd, V: Visitor>(
+    pub(crate) fn walk_one<S: Simd, V: Visitor, const APART: bool>(
         &self,
         simd: S,
         bundle: &Bundle,
         ray: usize,
-        meter: &impl Meter,
         visitor: &mut V,
     ) {
         let mut t_max = bundle.t_max;
-        self.walk_from(simd, &bundle.slabs(simd, ray), 0, &mut t_max, meter, visitor);
+        if APART {
+            self.walk_apart(simd, (bundle, ray), 0, &mut t_max, visitor);
+        } else {
+            let slabs = bundle.slabs(simd, ray);
+            self.walk_from(simd, &slabs, 0, &mut t_max, &Unmetered, visitor);
+        }
     }
 }

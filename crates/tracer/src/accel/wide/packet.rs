@@ -8,7 +8,6 @@ use super::bundle::{Bundle, Each, RAYS};
 use super::node::{Leaf, Node};
 use super::walk::Visitor;
 use super::{STACK, Wide};
-use crate::meter::{Event, Meter};
 use crate::simd::{Eight, Room, Simd};
 
 /// Rays tested together with one box.
@@ -173,7 +172,6 @@ impl Wide {
         simd: S,
         packet: &mut Packet<'_, S>,
         mut rays: u32,
-        meter: &impl Meter,
         visitors: &mut V,
     ) {
         let mut room = Room::<Waiting, STACK>::new();
@@ -181,7 +179,6 @@ impl Wide {
         let Some(mut node) = self.nodes.first() else { return };
         let (mut here, mut active) = (0_u32, rays);
         loop {
-            meter.count(Event::Node);
             let t_max = packet.t_max.iter().fold(f32::NEG_INFINITY, |far, &t| far.max(t));
             let (met, enter) = packet.enter(simd, node, t_max);
             // The nearest goes on top.
@@ -217,10 +214,8 @@ impl Wide {
                     }
                 } else if met.count_ones() <= FEW {
                     for ray in bits(met) {
-                        let slabs = packet.bundle.slabs(simd, ray);
-                        let t_max = &mut packet.t_max[ray];
-                        let visitor = &mut visitors.of(ray);
-                        if self.walk_from(simd, &slabs, child, t_max, meter, visitor) {
+                        let (one, t_max) = ((packet.bundle, ray), &mut packet.t_max[ray]);
+                        if self.walk_apart(simd, one, child, t_max, &mut visitors.of(ray)) {
                             rays &= !(1 << ray);
                         }
                     }

@@ -1,10 +1,11 @@
 //! The way of a ray through the hierarchy, nearest boxes first.
 
+use super::bundle::Bundle;
 use super::node::{Leaf, Node};
 use super::slabs::{Slabs, TimeScale};
 use super::{STACK, Wide};
-use crate::meter::{Event, Meter};
-use crate::simd::{Eight, Room, Simd, Stack};
+use crate::meter::{Event, Meter, Unmetered};
+use crate::simd::{Eight, Room, Simd, Stack, Work};
 
 /// Who is shown the leaves that a ray may meet.
 pub(crate) trait Visitor {
@@ -31,6 +32,24 @@ type Pending = u64;
 #[inline(always)]
 fn pending(enter: f32, child: u32) -> Pending {
     u64::from(enter.to_bits()) << 32 | u64::from(child)
+}
+
+/// The way of one ray of a bundle from a node.
+struct WalkFrom<'a, V> {
+    wide: &'a Wide,
+    ray: (&'a Bundle, usize),
+    start: u32,
+    t_max: &'a mut f32,
+    visitor: &'a mut V,
+}
+
+impl<V: Visitor> Work for WalkFrom<'_, V> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> bool {
+        let Self { wide, ray: (bundle, ray), start, t_max, visitor } = self;
+        wide.walk_from(simd, &bundle.slabs(simd, ray), start, t_max, &Unmetered, visitor)
+    }
 }
 
 impl Wide {
@@ -85,6 +104,19 @@ impl Wide {
                 }
             };
         }
+    }
+
+    /// [`Wide::walk_from`] in a function of its own.
+    #[inline(always)]
+    pub(super) fn walk_apart<S: Simd, V: Visitor>(
+        &self,
+        simd: S,
+        ray: (&Bundle, usize),
+        start: u32,
+        t_max: &mut f32,
+        visitor: &mut V,
+    ) -> bool {
+        simd.apart(WalkFrom { wide: self, ray, start, t_max, visitor })
     }
 
     /// The child whose box is entered first; the others of `met` are put on the

@@ -178,7 +178,7 @@ fn closest_of_ready<S: Simd, P: Precision, T: Number, const COHERENT: bool>(
         let seekers = Seekers { simd, mesh: batch.mesh, rays, range: batch.range, sights, blocks };
         let best = [Best::nothing(batch.range); RAYS];
         let mut seekers = ClosestOfPacket { seekers, time: bundle.time, best };
-        batch.wide.walk_packet(simd, &mut packet, all(*count), &Unmetered, &mut seekers);
+        batch.wide.walk_packet(simd, &mut packet, all(*count), &mut seekers);
         for (known, best) in known.iter_mut().zip(&seekers.best) {
             *known = best.known;
         }
@@ -200,7 +200,7 @@ fn closest_of_ready<S: Simd, P: Precision, T: Number, const COHERENT: bool>(
         }
         visitor.sight = Sight::new(simd, &sights[k]);
         *visitor.best = Best::nothing(batch.range);
-        batch.wide.walk_one(simd, bundle, k, &Unmetered, &mut visitor);
+        batch.wide.walk_one::<S, _, COHERENT>(simd, bundle, k, &mut visitor);
         known[k] = visitor.best.known;
     }
 }
@@ -235,7 +235,7 @@ fn any_of_ready<S: Simd, P: Precision, T: Number, const COHERENT: bool>(
     if COHERENT && let Some(mut packet) = Packet::new(simd, bundle) {
         let seekers = Seekers { simd, mesh: batch.mesh, rays, range: batch.range, sights, blocks };
         let mut seekers = AnyOfPacket { seekers, found };
-        batch.wide.walk_packet(simd, &mut packet, all(*count), &Unmetered, &mut seekers);
+        batch.wide.walk_packet(simd, &mut packet, all(*count), &mut seekers);
         return;
     }
     let mut one = None;
@@ -253,7 +253,7 @@ fn any_of_ready<S: Simd, P: Precision, T: Number, const COHERENT: bool>(
         }
         visitor.sight = Sight::new(simd, &sights[k]);
         *visitor.found = None;
-        batch.wide.walk_one(simd, bundle, k, &Unmetered, &mut visitor);
+        batch.wide.walk_one::<S, _, COHERENT>(simd, bundle, k, &mut visitor);
         found[k] = *visitor.found;
     }
 }

@@ -6,7 +6,7 @@ use super::sight::{Sight, Sighted};
 use super::visit::{All, Any, Best, Closest, Known, Question};
 use super::{Contact, Departure, Event, Interval, Mesh, Meter, Order, Ray, Shear, Unmetered};
 use crate::accel::wide::{Leaf, TimeScale, Visitor};
-use crate::simd::{Simd, Work};
+use crate::simd::{Simd, Work, run_plainly};
 
 impl Mesh {
     /// How many of its triangles the ray crosses inside `range`, near and far:
@@ -22,7 +22,7 @@ impl Mesh {
             return count;
         }
         let question = self.question(ray, range, None, &Unmetered);
-        let mut found = self.level.run(Crossed(&question));
+        let mut found = run_plainly(Crossed(&question));
         // One that is in several leaves is found in each.
         found.sort_unstable();
         found.dedup();
@@ -30,12 +30,12 @@ impl Mesh {
     }
 
     /// The first contact of a ray, which may leave one of the triangles.
-    pub(in super::super) fn closest(
+    pub(in super::super) fn closest<M: Meter>(
         &self,
         ray: &Ray,
         range: Interval,
         from: Option<Departure>,
-        meter: &impl Meter,
+        meter: &M,
     ) -> Option<Contact> {
         if let Order::List(list) = &self.order {
             let shear = Shear::new(ray);
@@ -46,17 +46,17 @@ impl Mesh {
             let (part, contact) = list.closest(range, test)?;
             return Some(Contact { part, ..contact });
         }
-        self.level.run(ClosestOf(&self.question(ray, range, from, meter)))
+        M::run(self.level, ClosestOf(&self.question(ray, range, from, meter)))
     }
 
     /// A triangle that the ray meets: any, or if it does the one called `only`.
-    pub(in super::super) fn occluder(
+    pub(in super::super) fn occluder<M: Meter>(
         &self,
         ray: &Ray,
         range: Interval,
         from: Option<Departure>,
         only: Option<u32>,
-        meter: &impl Meter,
+        meter: &M,
     ) -> Option<u32> {
         let shear = Shear::new(ray);
         let is_met = |i| {
@@ -74,7 +74,7 @@ impl Mesh {
             });
             return found;
         }
-        self.level.run(AnyOf(&self.question(ray, range, from, meter)))
+        M::run(self.level, AnyOf(&self.question(ray, range, from, meter)))
     }
 
     /// The contact with one triangle.

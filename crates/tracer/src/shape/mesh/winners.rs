@@ -7,7 +7,7 @@ use super::super::triangle::{Line, Shear};
 use super::blocks::{Block, Number};
 use super::visit::Known;
 use super::{Contact, Interval, Ray};
-use crate::simd::{Four, Simd};
+use crate::simd::{Four, Simd, Work};
 
 /// How many rays wait for each other.
 const LANES: usize = 4;
@@ -139,7 +139,7 @@ impl<'a, S: Simd> Winners<'a, S> {
                 }
                 waiting.count += 1;
                 if waiting.count == LANES {
-                    self.find_out();
+                    self.simd.apart(FindOut(self));
                 }
             }
         }
@@ -148,8 +148,8 @@ impl<'a, S: Simd> Winners<'a, S> {
     /// The numbers of those that still wait.
     #[inline(always)]
     pub(super) fn finish(mut self) {
-        self.find_out();
-        self.find_out_drawn();
+        self.simd.apart(FindOut(&mut self));
+        self.simd.apart(FindOutDrawn(&mut self));
     }
 
     #[inline(always)]
@@ -173,7 +173,7 @@ impl<'a, S: Simd> Winners<'a, S> {
             } else if is_drawn >> lane & 1 == 1 {
                 self.drawn.take(waiting, lane);
                 if self.drawn.count == LANES {
-                    self.find_out_drawn();
+                    self.simd.apart(FindOutDrawn(self));
                 }
             } else {
                 self.contacts[waiting.ray[lane]] = self.settled(waiting, lane);
@@ -217,6 +217,28 @@ impl<'a, S: Simd> Winners<'a, S> {
         let ray = &self.rays[waiting.ray[lane]];
         let contact = super::decided(ray, waiting.triangle(ray, lane), self.range)?;
         Some(Contact { part: waiting.part[lane], ..contact })
+    }
+}
+
+/// Those that wait, found out: long, and asked wherever a ray is added.
+struct FindOut<'a, 'b, S>(&'a mut Winners<'b, S>);
+
+impl<S: Simd> Work for FindOut<'_, '_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run<T: Simd>(self, _: T) {
+        self.0.find_out();
+    }
+}
+
+/// Those whose numbers are found again.
+struct FindOutDrawn<'a, 'b, S>(&'a mut Winners<'b, S>);
+
+impl<S: Simd> Work for FindOutDrawn<'_, '_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run<T: Simd>(self, _: T) {
+        self.0.find_out_drawn();
     }
 }
 

@@ -8,9 +8,8 @@ use harness::{filter, store};
 use stress::kept::{self, Kept};
 use stress::matrix::{Matrix, Plan};
 use stress::{Family, table};
-
-use crate::progress::CaseProgress;
-use crate::{Answer, CannotAsk, Here};
+use xtask::progress::CaseProgress;
+use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `stress`.
 #[derive(Debug, clap::Args)]
