@@ -40,12 +40,14 @@ impl Formulas for Disk {
         Aabb { min: self.center - r, max: self.center + r }
     }
 
-    /// A flat surface is left for good.
+    /// A flat surface is.
     #[inline(always)]
-    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some() {
-            return None;
-        }
+    fn is_left_for_good(&self, _: Departure) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, _: Option<Departure>) -> Option<Contact> {
         let t = self.plane.t(ray);
         let from_center = offset_at(ray, t, self.center);
         let inside = from_center.length_squared() <= self.radius * self.radius;

@@ -80,6 +80,12 @@ impl Formulas for Torus {
         Aabb { min: self.center - reach, max: self.center + reach }
     }
 
+    /// From the inner side of the tube it is met again.
+    #[inline(always)]
+    fn is_left_for_good(&self, _: Departure) -> bool {
+        false
+    }
+
     /// The first of up to four roots; `torus/line.rs` says how none is lost.
     ///
     /// Of a ray that leaves it the side on which it starts is known, so that what
