@@ -4,8 +4,8 @@
 //! It promises the linear list's answers: what holds them may let a ray in that
 //! misses, never keep one out that a candidate's own formula would hit.
 
+use super::Candidate;
 use super::wide::{Candidates, Leaf, Options, TimeScale, Visitor, Wide};
-use super::{Candidate, LEAF};
 use crate::meter::Meter;
 use crate::simd::{Level, Simd, Work};
 use crate::{Aabb, Interval, Ray};
@@ -29,7 +29,7 @@ impl Bvh {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
             (0..boxes.len() as u32).partition(|&i| boxes[i as usize].is_finite());
         let finite = Boxes(bounded.iter().map(|&i| boxes[i as usize]).collect());
-        let options = Options { leaf_size: LEAF, extra: 0.0 };
+        let options = Options { leaf_size: 1, extra: 0.0 };
         let mut order = Vec::with_capacity(bounded.len());
         let wide = Wide::new(&finite, rounding, options, |items| {
             let place = order.len() as u32;

@@ -126,6 +126,9 @@ impl Cone {
 
     #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        if self.axis.is_passed_by(ray, self.radius) {
+            return None;
+        }
         let ray = self.approach(ray)?;
         ray.cut(self.side(&ray), [None, Some(BASE)], self.reach(), self.caps)
     }

@@ -66,6 +66,9 @@ impl Cylinder {
 
     #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        if self.axis.is_passed_by(ray, self.radius) {
+            return None;
+        }
         let ray = self.axis.approach(ray, &Near::Axis)?;
         ray.cut(self.side(&ray), CAPS.map(Some), self.reach(), self.caps)
     }
