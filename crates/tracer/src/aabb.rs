@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::UnitVec;
 use crate::math::max_abs;
 
 /// All points `x` with `min <= x <= max` in each axis.
@@ -29,6 +30,19 @@ impl Aabb {
     /// The smallest box around some points.
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
+    }
+
+    /// The smallest box around the circle of this radius around `center`, across
+    /// a normal `n`: along axis `k` it reaches `radius sqrt(1 - n_k^2)`.
+    pub(crate) fn around_circle(center: DVec3, n: UnitVec, radius: f64) -> Self {
+        let squares = *n * *n;
+        let across = DVec3::new(
+            (squares.y + squares.z).sqrt(),
+            (squares.z + squares.x).sqrt(),
+            (squares.x + squares.y).sqrt(),
+        );
+        let reach = radius * across;
+        Self { min: center - reach, max: center + reach }
     }
 
     /// The smallest box that holds both.

@@ -76,6 +76,14 @@ impl Member {
         }
     }
 
+    /// Whether a test of it takes no longer than one of eight boxes.
+    fn is_quick(&self) -> bool {
+        match self {
+            Self::Object(object) => object.shape.is_quick(),
+            Self::Group(_) => false,
+        }
+    }
+
     fn rounding(&self) -> f64 {
         match self {
             Self::Object(_) => 1.0,
@@ -146,6 +154,10 @@ pub struct Group {
 impl Group {
     /// A group whose members' space is placed by `transform`.
     pub fn new(transform: Transform, members: Vec<Member>, build: Build) -> Self {
+        /// So many quick tests take no longer than asking which are needed.
+        const FEW: usize = 3;
+        let few = members.len() <= FEW && members.iter().all(Member::is_quick);
+        let build = if few { Build::List } else { build };
         let boxes: Vec<_> = members.iter().map(Member::bounds).collect();
         let inside = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let inner = members.iter().map(Member::rounding).fold(1.0, f64::max);

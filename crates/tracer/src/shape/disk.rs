@@ -33,11 +33,8 @@ impl Disk {
 }
 
 impl Formulas for Disk {
-    /// The cube around the center: simple, and at most twice as wide as the
-    /// tightest box.
     fn extent(&self) -> Aabb {
-        let r = DVec3::splat(self.radius);
-        Aabb { min: self.center - r, max: self.center + r }
+        Aabb::around_circle(self.center, self.plane.normal(), self.radius)
     }
 
     /// A flat surface is.

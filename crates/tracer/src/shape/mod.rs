@@ -259,6 +259,18 @@ impl Shape {
         is_met.then_some(0)
     }
 
+    /// Whether a test of it takes but a few nanoseconds.
+    pub(crate) fn is_quick(&self) -> bool {
+        match self {
+            Self::Cylinder(_) | Self::Cone(_) | Self::Torus(_) | Self::Mesh(_) => false,
+            Self::Sphere(_)
+            | Self::Triangle(_)
+            | Self::AxisBox(_)
+            | Self::Plane(_)
+            | Self::Disk(_) => true,
+        }
+    }
+
     /// Boxes that hold all of the shape between them.
     pub(crate) fn coarse_boxes(&self) -> Vec<Aabb> {
         match self {

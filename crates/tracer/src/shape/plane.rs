@@ -36,6 +36,11 @@ impl Plane {
         self.point
     }
 
+    /// Its normal.
+    pub(super) fn normal(&self) -> UnitVec {
+        self.normal
+    }
+
     /// Its normal, as long as it was given.
     pub(crate) fn across(&self) -> DVec3 {
         self.across
