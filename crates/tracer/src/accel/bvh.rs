@@ -112,15 +112,13 @@ struct Closest<'a, H, F> {
 
 impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Closest<'_, H, F> {
     fn consider(&mut self, i: u32) {
-        // One step past the best `t`, so that an equal one is seen too and the
-        // lower number can win, as in the list.
-        let hi = self.range.hi;
-        let until = if self.best.is_some() { self.t_best.next_up().min(hi) } else { hi };
-        let found = (self.test)(i, self.range.until(until));
-        let Some(t) = found.as_ref().map(Candidate::t) else { return };
-        if t < self.t_best || (t == self.t_best && i < self.number) {
-            (self.t_best, self.number) = (t, i);
-            self.best = found;
+        // One step past the best `t` for a lower number, which wins with an equal
+        // one, as in the list.
+        let wins_ties = self.best.is_some() && i < self.number;
+        let until = if wins_ties { self.t_best.next_up().min(self.range.hi) } else { self.t_best };
+        if let Some(hit) = (self.test)(i, self.range.until(until)) {
+            (self.t_best, self.number) = (hit.t(), i);
+            self.best = Some(hit);
         }
     }
 }

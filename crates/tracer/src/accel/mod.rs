@@ -26,6 +26,12 @@ pub trait Candidate {
     fn t(&self) -> f64;
 }
 
+impl Candidate for f64 {
+    fn t(&self) -> f64 {
+        *self
+    }
+}
+
 /// Which accelerator to build.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Build {
@@ -76,7 +82,7 @@ impl Accelerator {
     /// The candidate that is hit first inside `range`, with its number.
     ///
     /// `test(i, range)` is candidate `i`'s closest hit strictly inside the
-    /// range that it is given.
+    /// range that it is given. Each one that it finds there is the best so far.
     pub(crate) fn closest<H: Candidate>(
         &self,
         ray: &Ray,
