@@ -96,3 +96,18 @@ impl Aabb {
         p.cmpge(wide.min).all() && p.cmple(wide.max).all()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_circle_touches_all_sides_of_its_box() {
+        let axis = Aabb::around_circle(DVec3::X, UnitVec::Y, 2.0);
+        assert_eq!(axis, Aabb { min: DVec3::new(-1.0, 0.0, -2.0), max: DVec3::new(3.0, 0.0, 2.0) });
+        let n = UnitVec::new(DVec3::new(1.0, 2.0, -2.0)).unwrap();
+        let circle = Aabb::around_circle(DVec3::ZERO, n, 3.0);
+        let side = DVec3::new(8.0_f64.sqrt(), 5.0_f64.sqrt(), 5.0_f64.sqrt());
+        assert!((circle.max - side).length() < 1e-14 && circle.min == -circle.max, "{circle:?}");
+    }
+}

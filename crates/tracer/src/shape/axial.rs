@@ -13,12 +13,13 @@
 //! what happens at its other end. And discriminants come from the identities
 //! that [`Approach::moment`] explains, which have no squares to cancel.
 
+mod passing;
+
 use glam::DVec3;
 
 use super::Contact;
 use crate::math::{
-    UNIT_ROUNDOFF, cross, difference_of_products, dot, max_abs, offset_at, power_of_two_below,
-    two_sum,
+    cross, difference_of_products, dot, max_abs, offset_at, power_of_two_below, two_sum,
 };
 use crate::refused::{MIN_LENGTH, Refusal, refuse_unless, show};
 use crate::{Aabb, Interval, Ray, UnitVec};
@@ -38,13 +39,6 @@ pub(super) struct Axis {
     /// The unit of length, a power of two.
     pub(super) unit: f64,
 }
-
-/// How many roundings of its largest terms the test of [`Axis::is_passed_by`]
-/// allows for.
-const PASSED_BY: f64 = 512.0;
-
-/// Far above what squares lose that underflow.
-const LEAST_SQUARE: f64 = 1e-290;
 
 /// The point of the line to work from.
 ///
@@ -117,24 +111,6 @@ impl Axis {
     #[inline(always)]
     pub(super) fn across(&self, m: DVec3) -> DVec3 {
         cross(self.along, m) / (self.length * self.length)
-    }
-
-    /// Whether the ray surely stays farther than `radius` from the whole line
-    /// through both ends; false for NaN. What most rays need, at a fraction of
-    /// the cost.
-    ///
-    /// That distance is `|F.D| / |D|`, with `F` from the first end to the ray's
-    /// origin and `D = d x A`. `docs/accuracy.md` proves the bound.
-    #[inline(always)]
-    pub(super) fn is_passed_by(&self, ray: &Ray, radius: f64) -> bool {
-        let from_end = ray.origin - self.ends[0];
-        let sideways = ray.direction.cross(self.along);
-        let reach = max_abs(ray.origin) + self.coordinates() + radius;
-        let doubt =
-            PASSED_BY * UNIT_ROUNDOFF * reach * max_abs(ray.direction) * max_abs(self.along);
-        let apart = from_end.dot(sideways).abs() - doubt;
-        // Squares that are normal numbers keep their digits.
-        apart > 0.0 && apart * apart > radius * radius * sideways.dot(sideways) + LEAST_SQUARE
     }
 
     /// The ray as seen from close by; `None` for one that is not finite or
