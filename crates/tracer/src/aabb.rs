@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::UnitVec;
 use crate::math::max_abs;
 
 /// All points `x` with `min <= x <= max` in each axis.
@@ -29,6 +30,19 @@ impl Aabb {
     /// The smallest box around some points.
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
+    }
+
+    /// The smallest box around the circle of this radius around `center`, across
+    /// a normal `n`: along axis `k` it reaches `radius sqrt(1 - n_k^2)`.
+    pub(crate) fn around_circle(center: DVec3, n: UnitVec, radius: f64) -> Self {
+        let squares = *n * *n;
+        let across = DVec3::new(
+            (squares.y + squares.z).sqrt(),
+            (squares.z + squares.x).sqrt(),
+            (squares.x + squares.y).sqrt(),
+        );
+        let reach = radius * across;
+        Self { min: center - reach, max: center + reach }
     }
 
     /// The smallest box that holds both.
@@ -80,5 +94,20 @@ impl Aabb {
     pub fn contains(&self, p: DVec3, slack: f64) -> bool {
         let wide = self.widened(slack);
         p.cmpge(wide.min).all() && p.cmple(wide.max).all()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_circle_touches_all_sides_of_its_box() {
+        let axis = Aabb::around_circle(DVec3::X, UnitVec::Y, 2.0);
+        assert_eq!(axis, Aabb { min: DVec3::new(-1.0, 0.0, -2.0), max: DVec3::new(3.0, 0.0, 2.0) });
+        let n = UnitVec::new(DVec3::new(1.0, 2.0, -2.0)).unwrap();
+        let circle = Aabb::around_circle(DVec3::ZERO, n, 3.0);
+        let side = DVec3::new(8.0_f64.sqrt(), 5.0_f64.sqrt(), 5.0_f64.sqrt());
+        assert!((circle.max - side).length() < 1e-14 && circle.min == -circle.max, "{circle:?}");
     }
 }

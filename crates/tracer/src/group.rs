@@ -28,10 +28,17 @@ impl Object {
         &self.material
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval, meter: &impl Meter) -> Option<Hit> {
+    /// See [`Group::meet`].
+    fn meet(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+        hit: &mut Option<Hit>,
+    ) -> Option<f64> {
         let contact = self.shape.meet(ray, range, self.departure(ray), meter)?;
         let surface = self.shape.surface(ray, &contact);
-        Some(Hit {
+        *hit = Some(Hit {
             t: contact.t,
             point: surface.point,
             point_error: surface.error,
@@ -40,7 +47,8 @@ impl Object {
             material: self.material,
             object: self.id,
             part: contact.part,
-        })
+        });
+        Some(contact.t)
     }
 
     fn occluder(
@@ -76,6 +84,14 @@ impl Member {
         }
     }
 
+    /// Whether a test of it takes no longer than one of eight boxes.
+    fn is_quick(&self) -> bool {
+        match self {
+            Self::Object(object) => object.shape.is_quick(),
+            Self::Group(_) => false,
+        }
+    }
+
     fn rounding(&self) -> f64 {
         match self {
             Self::Object(_) => 1.0,
@@ -83,10 +99,17 @@ impl Member {
         }
     }
 
-    fn intersect(&self, ray: &Ray, range: Interval, meter: &impl Meter) -> Option<Hit> {
+    /// See [`Group::meet`].
+    fn meet(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+        hit: &mut Option<Hit>,
+    ) -> Option<f64> {
         match self {
-            Self::Object(object) => object.intersect(ray, range, meter),
-            Self::Group(group) => group.intersect_metered(ray, range, meter),
+            Self::Object(object) => object.meet(ray, range, meter, hit),
+            Self::Group(group) => group.meet(ray, range, meter, hit),
         }
     }
 
@@ -146,6 +169,10 @@ pub struct Group {
 impl Group {
     /// A group whose members' space is placed by `transform`.
     pub fn new(transform: Transform, members: Vec<Member>, build: Build) -> Self {
+        /// So many quick tests take no longer than asking which are needed.
+        const FEW: usize = 3;
+        let few = members.len() <= FEW && members.iter().all(Member::is_quick);
+        let build = if few { Build::List } else { build };
         let boxes: Vec<_> = members.iter().map(Member::bounds).collect();
         let inside = boxes.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         let inner = members.iter().map(Member::rounding).fold(1.0, f64::max);
@@ -187,18 +214,30 @@ impl Group {
         range: Interval,
         meter: &impl Meter,
     ) -> Option<Hit> {
-        let closest = |ray: &Ray| {
-            let test = |i: u32, range| self.members[i as usize].intersect(ray, range, meter);
-            self.accelerator.closest(ray, range, meter, test).map(|(_, hit)| hit)
+        let mut hit = None;
+        self.meet(ray, range, meter, &mut hit);
+        hit
+    }
+
+    /// The `t` of the closest hit inside `range`, which is put where the best one
+    /// so far is: whoever asks makes the range end there, and a hit is too large
+    /// to be handed on and on.
+    fn meet(
+        &self,
+        ray: &Ray,
+        range: Interval,
+        meter: &impl Meter,
+        hit: &mut Option<Hit>,
+    ) -> Option<f64> {
+        let mut closest = |ray: &Ray| {
+            let test = |i: u32, range| self.members[i as usize].meet(ray, range, meter, hit);
+            self.accelerator.closest(ray, range, meter, test).map(|(_, t)| t)
         };
-        match &self.transform {
-            None => closest(ray),
-            Some(transform) => {
-                meter.count(Event::Group);
-                let hit = closest(&transform.object_from_parent(ray))?;
-                Some(transform.parent_from_object(hit))
-            }
-        }
+        let Some(transform) = &self.transform else { return closest(ray) };
+        meter.count(Event::Group);
+        let t = closest(&transform.object_from_parent(ray))?;
+        *hit = hit.map(|hit| transform.parent_from_object(hit));
+        Some(t)
     }
 
     /// Whether any member is hit inside `range`: what a shadow ray asks. Stops
@@ -258,9 +297,8 @@ impl Group {
         while bits != 0 {
             let member = &self.members[bits.trailing_zeros() as usize];
             bits &= bits - 1;
-            if let Some(hit) = member.intersect(ray, range.until(t_best), meter) {
-                t_best = hit.t;
-                closest = Some(hit);
+            if let Some(t) = member.meet(ray, range.until(t_best), meter, &mut closest) {
+                t_best = t;
             }
         }
         closest

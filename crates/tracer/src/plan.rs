@@ -10,7 +10,7 @@ mod tiles;
 use crate::camera::Seen;
 use crate::meter::Event;
 use crate::shape::Shape;
-use crate::{Light, Material, Rgb, Scene, Show, accel};
+use crate::{Light, Material, Rgb, Scene, Show};
 use tiles::{Members, REST, SIDE, Tiles, bit_of};
 
 /// Whether what cannot change the picture is left out.
@@ -24,6 +24,10 @@ pub enum Skipping {
     /// it.
     Off,
 }
+
+/// Up to this many members that a tile shows are tested one by one, which is
+/// sooner done than asking which of them a ray meets: it meets most.
+const FEW: u32 = 4;
 
 /// What is done for a picture, and what is not.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,7 +69,7 @@ impl Plan {
         match self.tiles.seen_in(i, j) {
             0 => Candidates::None,
             all if all & REST != 0 => Candidates::All,
-            few if few.count_ones() as usize <= accel::LEAF => Candidates::These(few),
+            few if few.count_ones() <= FEW => Candidates::These(few),
             _ => Candidates::All,
         }
     }

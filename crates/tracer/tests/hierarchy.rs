@@ -6,7 +6,7 @@ mod random;
 use random::{Any, there_from_here};
 use tracer::accel::Build;
 use tracer::glam::{DVec3, dvec3};
-use tracer::shape::{AxisBox, Disk, Plane, Shape, Sphere, Triangle};
+use tracer::shape::{AxisBox, Cone, Cylinder, Disk, Plane, Shape, Sphere, Torus, Triangle};
 use tracer::{Group, Interval, Material, Member, Object, Ray, Transform};
 
 const AHEAD: Interval = Interval::AHEAD;
@@ -22,8 +22,15 @@ fn the_hierarchy_gives_the_answers_of_the_list() {
         let mut members = Vec::new();
         for _ in 0..[3, 20, 150][round / 3 % 3] {
             let center = any.point() * spread;
-            let shape: Shape = match any.0.u8(0..20) {
+            let shape: Shape = match any.0.u8(0..29) {
                 0 => Plane::new(center, any.direction()).unwrap().into(),
+                20..23 => Cylinder::new(center, center + 0.3 * any.direction(), 0.03, true)
+                    .unwrap()
+                    .into(),
+                23..26 => {
+                    Cone::new(center, center + 0.3 * any.direction(), 0.1, false).unwrap().into()
+                }
+                26..29 => Torus::new(center, any.direction(), 0.15, 0.05).unwrap().into(),
                 1..5 => Disk::new(center, any.direction(), 0.2).unwrap().into(),
                 5..10 => AxisBox::new(center - 0.05, center + 0.05).unwrap().into(),
                 10..15 => {

@@ -4,6 +4,7 @@
 //! cases in the cache. Cases do not wait for each other: this is throughput on
 //! one thread, not latency.
 
+mod groups;
 mod rest;
 mod shapes;
 
@@ -77,6 +78,7 @@ pub(crate) struct Report {
 pub(crate) fn run(args: &Args) -> Result<ExitCode, String> {
     let mut kernels = shapes::all()?;
     kernels.extend(rest::all()?);
+    kernels.extend(groups::all()?);
     let label = |kernel: &Kernel| format!("{} {}", kernel.group, kernel.name);
     let chosen = |kernel: &Kernel| {
         let label = label(kernel);
@@ -144,6 +146,7 @@ mod tests {
     fn every_kernel_is_timed_and_shown() {
         let mut kernels = shapes::all().unwrap();
         kernels.extend(rest::all().unwrap());
+        kernels.extend(groups::all().unwrap());
         let count = kernels.len();
         assert!(count > 30, "{count}");
         let report = measure(kernels, Effort { rounds: 1, turn: 0.0 });

@@ -4,8 +4,8 @@
 //! It promises the linear list's answers: what holds them may let a ray in that
 //! misses, never keep one out that a candidate's own formula would hit.
 
+use super::Candidate;
 use super::wide::{Candidates, Leaf, Options, TimeScale, Visitor, Wide};
-use super::{Candidate, LEAF};
 use crate::meter::Meter;
 use crate::simd::{Level, Simd, Work};
 use crate::{Aabb, Interval, Ray};
@@ -29,7 +29,9 @@ impl Bvh {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
             (0..boxes.len() as u32).partition(|&i| boxes[i as usize].is_finite());
         let finite = Boxes(bounded.iter().map(|&i| boxes[i as usize]).collect());
-        let options = Options { leaf_size: LEAF, extra: 0.0 };
+        // Boxes are tested eight at a time, in less time than any one candidate:
+        // each has one of its own.
+        let options = Options { leaf_size: 1, extra: 0.0 };
         let mut order = Vec::with_capacity(bounded.len());
         let wide = Wide::new(&finite, rounding, options, |items| {
             let place = order.len() as u32;
@@ -48,12 +50,14 @@ impl Bvh {
         test: impl FnMut(u32, Interval) -> Option<H>,
     ) -> Option<(u32, H)> {
         let time = TimeScale::ANY;
-        let mut closest = Closest { bvh: self, range, test, best: None, t_best: range.hi, time };
+        let number = u32::MAX;
+        let mut closest =
+            Closest { bvh: self, range, test, best: None, number, t_best: range.hi, time };
         for &i in &self.unbounded {
             closest.consider(i);
         }
         self.walk(ray, range.until(closest.t_best), meter, &mut closest);
-        closest.best
+        closest.best.map(|hit| (closest.number, hit))
     }
 
     /// See [`Accelerator::any`](super::Accelerator::any).
@@ -99,21 +103,22 @@ struct Closest<'a, H, F> {
     bvh: &'a Bvh,
     range: Interval,
     test: F,
-    best: Option<(u32, H)>,
+    best: Option<H>,
+    /// Its candidate, and its `t`; none yet, and the end of the range.
+    number: u32,
     t_best: f64,
     time: TimeScale,
 }
 
 impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Closest<'_, H, F> {
     fn consider(&mut self, i: u32) {
-        // One step past the best `t`, so that an equal one is seen too and the
-        // lower number can win, as in the list.
-        let hi = self.range.hi;
-        let until = if self.best.is_some() { self.t_best.next_up().min(hi) } else { hi };
-        let Some(hit) = (self.test)(i, self.range.until(until)) else { return };
-        if self.best.as_ref().is_none_or(|(j, best)| (hit.t(), i) < (best.t(), *j)) {
-            self.t_best = hit.t();
-            self.best = Some((i, hit));
+        // One step past the best `t` for a lower number, which wins with an equal
+        // one, as in the list.
+        let wins_ties = self.best.is_some() && i < self.number;
+        let until = if wins_ties { self.t_best.next_up().min(self.range.hi) } else { self.t_best };
+        if let Some(hit) = (self.test)(i, self.range.until(until)) {
+            (self.t_best, self.number) = (hit.t(), i);
+            self.best = Some(hit);
         }
     }
 }

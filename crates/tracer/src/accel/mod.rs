@@ -22,14 +22,16 @@ pub(crate) use turns::Turns;
 use crate::meter::Meter;
 use crate::{Aabb, Interval, Ray};
 
-/// Up to this many candidates are tested one by one: a list, and a leaf of a
-/// hierarchy.
-pub(crate) const LEAF: usize = 4;
-
 /// What a test returns: something with a `t` to compare.
 pub trait Candidate {
     /// The ray parameter of the hit.
     fn t(&self) -> f64;
+}
+
+impl Candidate for f64 {
+    fn t(&self) -> f64 {
+        *self
+    }
 }
 
 /// Which accelerator to build.
@@ -67,14 +69,14 @@ pub enum Accelerator {
 
 impl Accelerator {
     /// The accelerator over candidates with these boxes; a box may be
-    /// unbounded. A few candidates are tested sooner than a tree is walked.
+    /// unbounded. A single one is tested sooner than its box.
     ///
     /// `rounding` is how many times more than a shape's own formulas the
     /// candidates' tests may round: 1 for shapes, the condition of its
     /// transform for a group.
     pub fn build(build: Build, boxes: &[Aabb], rounding: f64) -> Self {
         match build {
-            Build::Bvh | Build::Fast if boxes.len() > LEAF => Self::Bvh(Bvh::new(boxes, rounding)),
+            Build::Bvh | Build::Fast if boxes.len() > 1 => Self::Bvh(Bvh::new(boxes, rounding)),
             _ => Self::List(List::new(boxes.len())),
         }
     }
@@ -82,7 +84,7 @@ impl Accelerator {
     /// The candidate that is hit first inside `range`, with its number.
     ///
     /// `test(i, range)` is candidate `i`'s closest hit strictly inside the
-    /// range that it is given.
+    /// range that it is given. Each one that it finds there is the best so far.
     pub(crate) fn closest<H: Candidate>(
         &self,
         ray: &Ray,

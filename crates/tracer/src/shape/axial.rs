@@ -13,6 +13,8 @@
 //! what happens at its other end. And discriminants come from the identities
 //! that [`Approach::moment`] explains, which have no squares to cancel.
 
+mod passing;
+
 use glam::DVec3;
 
 use super::Contact;

@@ -84,20 +84,19 @@ impl Formulas for AxisBox {
         Aabb { min: self.min, max: self.max }
     }
 
+    /// Outward it is, and where the box is flat.
+    #[inline(always)]
+    fn is_left_for_good(&self, from: Departure) -> bool {
+        // A part that is no face of a box is taken for one.
+        let axis = (from.part as usize / 2).min(2);
+        from.outward || self.min[axis] == self.max[axis]
+    }
+
     /// The side where the ray enters, or the one where it leaves if the entry
-    /// is out of range, as for a ray from inside.
-    ///
-    /// Of a ray that leaves it outward nothing is met again; inward only the side
-    /// where the ray leaves, unless the box is flat there.
+    /// is out of range, as for a ray from inside, or if the ray leaves the box
+    /// inward.
     #[inline(always)]
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if let Some(from) = from {
-            // A part that is no face of a box is taken for one.
-            let axis = (from.part as usize / 2).min(2);
-            if from.outward || self.min[axis] == self.max[axis] {
-                return None;
-            }
-        }
         let crossing = self.crossing(ray)?;
         let d = ray.direction;
         let contact = |t, part| Contact { t, part, barycentric: [0.0; 2] };

@@ -126,6 +126,9 @@ impl Cone {
 
     #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        if self.axis.is_passed_by(ray, self.radius) {
+            return None;
+        }
         let ray = self.approach(ray)?;
         ray.cut(self.side(&ray), [None, Some(BASE)], self.reach(), self.caps)
     }
@@ -156,13 +159,15 @@ impl Formulas for Cone {
     }
 
     /// The side is convex, so a ray that leaves it outward never comes back,
-    /// nor does one from the base; all others that leave it meet only what they
-    /// leave by.
+    /// nor does one from the base.
+    #[inline(always)]
+    fn is_left_for_good(&self, from: Departure) -> bool {
+        from.outward
+    }
+
+    /// A ray that leaves it inward meets only what it leaves by.
     #[inline(always)]
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some_and(|from| from.outward) {
-            return None;
-        }
         let crossing = self.crossing(ray)?;
         if from.is_none() { crossing.first(range) } else { crossing.last(range) }
     }

@@ -66,6 +66,9 @@ impl Cylinder {
 
     #[inline(always)]
     fn crossing(&self, ray: &Ray) -> Option<Crossing> {
+        if self.axis.is_passed_by(ray, self.radius) {
+            return None;
+        }
         let ray = self.axis.approach(ray, &Near::Axis)?;
         ray.cut(self.side(&ray), CAPS.map(Some), self.reach(), self.caps)
     }
@@ -77,13 +80,15 @@ impl Formulas for Cylinder {
     }
 
     /// The side is convex, so a ray that leaves it outward never comes back,
-    /// nor does one from a cap; all others that leave it meet only what they
-    /// leave by.
+    /// nor does one from a cap.
+    #[inline(always)]
+    fn is_left_for_good(&self, from: Departure) -> bool {
+        from.outward
+    }
+
+    /// A ray that leaves it inward meets only what it leaves by.
     #[inline(always)]
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some_and(|from| from.outward) {
-            return None;
-        }
         let crossing = self.crossing(ray)?;
         if from.is_none() { crossing.first(range) } else { crossing.last(range) }
     }

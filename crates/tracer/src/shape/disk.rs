@@ -33,19 +33,18 @@ impl Disk {
 }
 
 impl Formulas for Disk {
-    /// The cube around the center: simple, and at most twice as wide as the
-    /// tightest box.
     fn extent(&self) -> Aabb {
-        let r = DVec3::splat(self.radius);
-        Aabb { min: self.center - r, max: self.center + r }
+        Aabb::around_circle(self.center, self.plane.normal(), self.radius)
     }
 
-    /// A flat surface is left for good.
+    /// A flat surface is.
     #[inline(always)]
-    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some() {
-            return None;
-        }
+    fn is_left_for_good(&self, _: Departure) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, _: Option<Departure>) -> Option<Contact> {
         let t = self.plane.t(ray);
         let from_center = offset_at(ray, t, self.center);
         let inside = from_center.length_squared() <= self.radius * self.radius;

@@ -125,8 +125,11 @@ pub trait Geometry {
 trait Formulas {
     /// [`Geometry::bounds`].
     fn extent(&self) -> Aabb;
+    /// Whether a ray that leaves it like this surely never meets it again, which
+    /// is asked first: no other rays are known to [`Formulas::meet`].
+    fn is_left_for_good(&self, from: Departure) -> bool;
     /// [`Geometry::intersect`], or [`Geometry::intersect_leaving`] for a ray that
-    /// leaves it: one function, which is compiled once.
+    /// leaves it, but not for good: one function, which is compiled once.
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact>;
     /// [`Geometry::surface`].
     fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint;
@@ -139,7 +142,11 @@ impl<F: Formulas> Geometry for F {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Contact> {
         fused::<Meet, _, _, _, _>(self, ray, range, None)
     }
+    #[inline]
     fn intersect_leaving(&self, ray: &Ray, range: Interval, from: Departure) -> Option<Contact> {
+        if self.is_left_for_good(from) {
+            return None;
+        }
         fused::<Meet, _, _, _, _>(self, ray, range, Some(from))
     }
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
@@ -250,6 +257,18 @@ impl Shape {
             (shape, Some(from)) => shape.occludes_leaving(ray, range, from),
         };
         is_met.then_some(0)
+    }
+
+    /// Whether a test of it takes but a few nanoseconds.
+    pub(crate) fn is_quick(&self) -> bool {
+        match self {
+            Self::Cylinder(_) | Self::Cone(_) | Self::Torus(_) | Self::Mesh(_) => false,
+            Self::Sphere(_)
+            | Self::Triangle(_)
+            | Self::AxisBox(_)
+            | Self::Plane(_)
+            | Self::Disk(_) => true,
+        }
     }
 
     /// Boxes that hold all of the shape between them.

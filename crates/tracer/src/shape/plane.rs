@@ -36,6 +36,11 @@ impl Plane {
         self.point
     }
 
+    /// Its normal.
+    pub(super) fn normal(&self) -> UnitVec {
+        self.normal
+    }
+
     /// Its normal, as long as it was given.
     pub(crate) fn across(&self) -> DVec3 {
         self.across
@@ -60,12 +65,14 @@ impl Formulas for Plane {
         Aabb::EVERYTHING
     }
 
-    /// A flat surface is left for good.
+    /// A flat surface is.
     #[inline(always)]
-    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some() {
-            return None;
-        }
+    fn is_left_for_good(&self, _: Departure) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, _: Option<Departure>) -> Option<Contact> {
         let t = self.t(ray);
         range.contains(t).then_some(Contact::at(t))
     }

@@ -132,13 +132,15 @@ impl Formulas for Sphere {
         Aabb { min: self.center - r, max: self.center + r }
     }
 
-    /// Of a ray that leaves it outward nothing is met again; inward only the far
-    /// side.
+    /// Outward it is.
+    #[inline(always)]
+    fn is_left_for_good(&self, from: Departure) -> bool {
+        from.outward
+    }
+
+    /// Of a ray that leaves it inward only the far side is met.
     #[inline(always)]
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some_and(|from| from.outward) {
-            return None;
-        }
         let approach = self.approach(ray)?;
         let [near, far] = self.roots(ray, &approach);
         if from.is_none() && range.contains(near) {

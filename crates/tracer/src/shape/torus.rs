@@ -66,18 +66,15 @@ impl Torus {
 }
 
 impl Formulas for Torus {
-    /// The tightest box: the ring reaches `R sqrt(1 - n_k^2)` along axis `k`,
-    /// and the tube `r` farther.
+    /// The tightest box: the tube reaches `r` farther than the ring.
     fn extent(&self) -> Aabb {
-        let n = *self.axis;
-        let squares = n * n;
-        let across = DVec3::new(
-            (squares.y + squares.z).sqrt(),
-            (squares.z + squares.x).sqrt(),
-            (squares.x + squares.y).sqrt(),
-        );
-        let reach = self.major * across + DVec3::splat(self.minor);
-        Aabb { min: self.center - reach, max: self.center + reach }
+        Aabb::around_circle(self.center, self.axis, self.major).widened(self.minor)
+    }
+
+    /// From the inner side of the tube it is met again.
+    #[inline(always)]
+    fn is_left_for_good(&self, _: Departure) -> bool {
+        false
     }
 
     /// The first of up to four roots; `torus/line.rs` says how none is lost.

@@ -48,12 +48,14 @@ impl Formulas for Triangle {
         bounds(self.corners)
     }
 
-    /// A flat surface is left for good.
+    /// A flat surface is.
     #[inline(always)]
-    fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
-        if from.is_some() {
-            return None;
-        }
+    fn is_left_for_good(&self, _: Departure) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Interval, _: Option<Departure>) -> Option<Contact> {
         Shear::new(ray).intersect_closed(self.corners, range)
     }
 
