@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::Span;
 use super::bins::{BINS, Bins, Cut, Grid};
 use super::bounds::Bounds;
 use super::costs::{Costs, Shares};
@@ -43,8 +44,7 @@ pub(super) struct Node {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Kind {
-    /// `items[first..first + count]`.
-    Leaf { first: u32, count: u32 },
+    Leaf(Span),
     /// The left child comes next, the right one so many nodes on.
     Inner { right: u32, shares: Shares },
 }
@@ -128,7 +128,7 @@ impl Grower<'_> {
             return Costs::LEAF;
         }
         let index = work.nodes.len();
-        work.nodes.push(Node { bounds, kind: Kind::Leaf { first: 0, count: 0 } });
+        work.nodes.push(Node { bounds, kind: Kind::Leaf(Span::default()) });
         let (sides, [left_space, right_space]) = self.cut(space, set, &mut work.bins);
         let left = self.node(left_space, &sides[0], work);
         let right_index = work.nodes.len();
@@ -222,5 +222,5 @@ pub(super) fn leaf(space: Space<'_>) -> Kind {
             count -= 1;
         }
     }
-    Kind::Leaf { first, count: count as u32 }
+    Kind::Leaf(Span { first, count: count as u32 })
 }
