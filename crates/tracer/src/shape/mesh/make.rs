@@ -177,7 +177,8 @@ impl Mesh {
 /// So many items, a block's worth at a time.
 fn in_fours(count: usize) -> Vec<Span> {
     let firsts = (0..count).step_by(LANES);
-    let span = |first| Span { first: first as u32, count: (count - first).min(LANES) as u32 };
+    let span =
+        |first: usize| Span { first: first as u32, count: (count - first).min(LANES) as u32 };
     firsts.map(span).collect()
 }
 

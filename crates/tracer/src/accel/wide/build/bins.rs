@@ -14,10 +14,12 @@ use super::reference::Reference;
 /// The most bins per axis, a power of two.
 pub(super) const BINS: usize = 32;
 /// References are put into bins by this many at a time.
-const CHUNK: usize = 1 << 14;
+const CHUNK: usize = 1 << 12;
+/// A set from this size on is looked at by all threads.
+pub(super) const SHARED: usize = 1 << 14;
 /// Added to a number below 2^22 it leaves the nearest whole number in the last
 /// bits of the sum: 1.5 * 2^23.
-const TO_INTEGER: f32 = 12_582_912.0;
+pub(super) const TO_INTEGER: f32 = 12_582_912.0;
 /// Centers closer together than this share of the units count as one: the
 /// quotient that tells bins apart stays in the range of `f32`.
 const ONE_PLACE: f32 = 1e-30;

@@ -51,9 +51,8 @@ impl Gathered {
     pub(super) fn scaled(candidates: &impl Candidates, options: Options, scale: f64) -> Self {
         let numbers = candidates.count() as usize;
         // Saturating, and 0 for NaN; references are counted in 32 bits.
-        let spare = |count: usize| {
-            ((count as f64 * options.extra) as usize).min(u32::MAX as usize - count)
-        };
+        let spare =
+            |count: usize| ((count as f64 * options.extra) as usize).min(u32::MAX as usize - count);
         let mut references = Reference::blanks(numbers + spare(numbers));
         let mut units = Units::SCENE;
         let places = &mut references[..numbers];

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::Span;
-use super::bins::{BINS, Bins, Cut, Grid};
+use super::bins::{BINS, Bins, Cut, Grid, SHARED};
 use super::bounds::Bounds;
 use super::costs::{Costs, Shares};
 use super::partition::{Set, halve, partition};
@@ -19,8 +19,6 @@ const HALVINGS: usize = 32;
 pub(super) const MAX_BINARY_LEVELS: usize = FREE_LEVELS + HALVINGS;
 /// Sets of this size and larger are grown side by side.
 const TASK: usize = 4096;
-/// A set from this size on is looked at by all threads.
-const SHARED: usize = 1 << 16;
 /// Planes are looked for where the boxes of the best cut's sides have in common
 /// this share of the set's width in each axis: along one in which they part
 /// more clearly, a plane would part them no better,
@@ -31,6 +29,9 @@ const LEAST_OVERLAP: f32 = 1e-4;
 const GAIN: f32 = 0.95;
 /// After so many sets in vain, one in another, there is none worth looking for.
 const PATIENCE: u32 = 2;
+/// Planes are looked for in sets from this size on: in smaller ones they
+/// promise next to nothing.
+const FEWEST: usize = 64;
 /// The fewest bins, and the references for each one more.
 const MIN_BINS: usize = 8;
 const PER_BIN: usize = 8;
@@ -46,7 +47,10 @@ pub(super) struct Node {
 pub(super) enum Kind {
     Leaf(Span),
     /// The left child comes next, the right one so many nodes on.
-    Inner { right: u32, shares: Shares },
+    Inner {
+        right: u32,
+        shares: Shares,
+    },
 }
 
 /// A binary tree: small ones as the nodes in the order of a walk.
@@ -185,7 +189,7 @@ impl Grower<'_> {
         set: &Set,
         cut: &Cut,
     ) -> Option<([Set; 2], [usize; 2])> {
-        if space.spare() == 0 || space.misses == PATIENCE {
+        if space.count < FEWEST || space.spare() == 0 || space.misses == PATIENCE {
             return None;
         }
         let [left, right] = cut.bounds;

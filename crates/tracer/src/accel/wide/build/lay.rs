@@ -25,11 +25,8 @@ impl Piece {
             return (branches, leaves);
         }
         let [branches, leaves] = self.counts();
-        let blank = Branch {
-            bounds: [Box32::EMPTY; WIDTH],
-            children: [Child::None; WIDTH],
-            first_leaf: 0,
-        };
+        let blank =
+            Branch { bounds: [Box32::EMPTY; WIDTH], children: [Child::None; WIDTH], first_leaf: 0 };
         // By all threads, as it is each page's first touch that takes time.
         let blanks = (0..branches).into_par_iter().with_min_len(CHUNK).map(|_| blank);
         let mut branches: Vec<_> = blanks.collect();

@@ -108,8 +108,7 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
     }
     let times_found = vec![0; boxes.len()];
     let (next_branch, next_item, next_leaf) = (0, 0, 0);
-    let mut walk =
-        Walk { tree, boxes, leaf_size, next_branch, next_item, next_leaf, times_found };
+    let mut walk = Walk { tree, boxes, leaf_size, next_branch, next_item, next_leaf, times_found };
     let levels = walk.branch(0, &mut Vec::new());
     assert_eq!(walk.next_branch as usize, tree.branches.len());
     assert_eq!(walk.next_item as usize, tree.items.len());
