@@ -201,7 +201,7 @@ impl Grower<'_> {
             return None;
         }
         space.misses += 1;
-        let plane = best_plane(set, space.set(), &self.knife, self.block_shift)?;
+        let plane = best_plane(set, space.set(), self.block_shift)?;
         if !(plane.cost < GAIN * cut.cost) {
             return None;
         }
