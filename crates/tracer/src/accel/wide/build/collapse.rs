@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::bounds::Bounds;
 use super::costs::Shares;
-use super::grow::{Grown, Kind, Node, Part};
+use super::grow::{Grown, Joint, Kind, Node, Part};
 use super::units::Units;
 use super::{Box32, Branch, Child, Span, Tree, WIDTH};
 
@@ -26,7 +26,7 @@ pub(super) fn collapse(grown: Grown, units: Units) -> Tree {
 /// A node of the binary tree.
 #[derive(Clone, Copy)]
 enum Place<'a> {
-    Joint { shares: Shares, bounds: Bounds, sides: &'a [Part; 2] },
+    Joint(&'a Joint),
     In { nodes: &'a [Node], index: usize },
 }
 
@@ -40,23 +40,21 @@ impl<'a> Place<'a> {
     fn of(part: &'a Part) -> Self {
         match part {
             Part::Small(nodes) => Self::In { nodes, index: 0 },
-            Part::Joint { shares, bounds, sides } => {
-                Self::Joint { shares: *shares, bounds: *bounds, sides }
-            }
+            Part::Joint(joint) => Self::Joint(joint),
         }
     }
 
     fn bounds(self) -> Bounds {
         match self {
-            Self::Joint { bounds, .. } => bounds,
+            Self::Joint(joint) => joint.bounds,
             Self::In { nodes, index } => nodes[index].bounds,
         }
     }
 
     fn see(self) -> Seen<'a> {
         match self {
-            Self::Joint { shares, sides, .. } => {
-                Seen::Inner { shares, sides: [Self::of(&sides[0]), Self::of(&sides[1])] }
+            Self::Joint(Joint { shares, sides, .. }) => {
+                Seen::Inner { shares: *shares, sides: [Self::of(&sides[0]), Self::of(&sides[1])] }
             }
             Self::In { nodes, index } => match nodes[index].kind {
                 Kind::Leaf(span) => Seen::Leaf(span),

@@ -3,13 +3,14 @@
 use glam::Vec3;
 
 use super::Span;
-use super::bins::{BINS, Bins, Cut, Grid, SHARED};
+use super::bins::{BINS, BestCut, Bins, Cut, Grid, SHARED};
 use super::bounds::Bounds;
 use super::costs::{Costs, Shares};
-use super::partition::{Set, halve, partition};
+use super::partition::{Partition, Set, halve};
 use super::reference::Reference;
 use super::space::Space;
 use super::spatial::{Knife, best_plane, cut_along};
+use crate::simd::Level;
 
 /// Below this many levels sets are halved by count.
 const FREE_LEVELS: usize = 38;
@@ -24,7 +25,7 @@ const TASK: usize = 4096;
 /// more clearly, a plane would part them no better,
 const THICK: f32 = 0.2;
 /// and this share of the whole tree's area: less is not met by enough rays.
-const LEAST_OVERLAP: f32 = 1e-4;
+const LEAST_OVERLAP: f32 = 1e-2;
 /// A plane is taken if it costs less than this share of the best cut.
 const GAIN: f32 = 0.95;
 /// After so many sets in vain, one in another, there is none worth looking for.
@@ -57,7 +58,15 @@ pub(super) enum Kind {
 #[derive(Debug)]
 pub(super) enum Part {
     Small(Vec<Node>),
-    Joint { shares: Shares, bounds: Bounds, sides: Box<[Part; 2]> },
+    Joint(Box<Joint>),
+}
+
+/// An inner node, and what is on its sides.
+#[derive(Debug)]
+pub(super) struct Joint {
+    pub shares: Shares,
+    pub bounds: Bounds,
+    pub sides: [Part; 2],
 }
 
 /// A binary tree with the candidates of its leaves.
@@ -79,7 +88,7 @@ pub(super) fn grow(
     let mut there = Reference::blanks(references.len());
     let mut items = vec![0; references.len()];
     let least_overlap = LEAST_OVERLAP * set.bounds.half_area();
-    let grower = Grower { block_shift, knife, least_overlap };
+    let grower = Grower { level: Level::best(), block_shift, knife, least_overlap };
     let space = Space {
         here: &mut references,
         there: &mut there,
@@ -101,6 +110,8 @@ struct Work {
 }
 
 struct Grower<'a> {
+    /// With which instructions.
+    level: Level,
     /// The binary logarithm of a leaf's size.
     block_shift: u32,
     knife: Knife<'a>,
@@ -121,7 +132,8 @@ impl Grower<'_> {
         let ((left, left_costs), (right, right_costs)) =
             rayon::join(|| self.part(left_space, &sides[0]), || self.part(right_space, &sides[1]));
         let (costs, shares) = Costs::inner(set.bounds.half_area(), &left_costs, &right_costs);
-        (Part::Joint { shares, bounds: set.bounds, sides: Box::new([left, right]) }, costs)
+        let joint = Joint { shares, bounds: set.bounds, sides: [left, right] };
+        (Part::Joint(Box::new(joint)), costs)
     }
 
     /// Appends the tree over a set.
@@ -157,7 +169,7 @@ impl Grower<'_> {
             }
             let (left, right) = (cut.left, space.count - cut.left);
             let (from, to) = space.set_and_room();
-            let sides = partition(from, to, &cut);
+            let sides = self.level.run(Partition { from, to, cut: &cut });
             return (sides, space.split(left, right));
         }
         let (from, to) = space.set_and_room();
@@ -173,12 +185,13 @@ impl Grower<'_> {
     fn best_cut(&self, references: &[Reference], set: &Set, bins: &mut Bins) -> Option<Cut> {
         let count = (MIN_BINS + references.len() / PER_BIN).min(BINS);
         let grid = Grid::new(set.centers, count);
+        let block_shift = self.block_shift;
         if references.len() < SHARED {
-            bins.refill(grid, references);
+            self.level.run(BestCut { bins, grid, references, block_shift })
         } else {
-            bins.refill_side_by_side(grid, references);
+            bins.refill_side_by_side(self.level, grid, references);
+            bins.best_cut(block_shift)
         }
-        bins.best_cut(self.block_shift)
     }
 
     /// Cuts along a plane, if that is so much better than `cut` that it is
@@ -201,7 +214,7 @@ impl Grower<'_> {
             return None;
         }
         space.misses += 1;
-        let plane = best_plane(set, space.set(), self.block_shift)?;
+        let plane = best_plane(self.level, set, space.set(), self.block_shift)?;
         if !(plane.cost < GAIN * cut.cost) {
             return None;
         }

@@ -13,6 +13,7 @@ use super::clip::{slab, triangle_between};
 use super::partition::Set;
 use super::reference::Reference;
 use super::units::Units;
+use crate::simd::{Level, Simd, Work};
 
 /// Slabs per axis that planes are looked for between.
 const SLABS: usize = 16;
@@ -156,6 +157,22 @@ impl Slabs {
     }
 }
 
+/// Puts references into slabs.
+struct Fill<'a> {
+    slabs: &'a mut Slabs,
+    references: &'a [Reference],
+}
+
+impl Work for Fill<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        for reference in self.references {
+            self.slabs.add(reference);
+        }
+    }
+}
+
 /// The slabs of which places are the last bits.
 #[inline(always)]
 fn slabs_of(places: Vec4) -> [usize; 3] {
@@ -164,12 +181,15 @@ fn slabs_of(places: Vec4) -> [usize; 3] {
 }
 
 /// The plane that costs least.
-pub(super) fn best_plane(set: &Set, references: &[Reference], block_shift: u32) -> Option<Plane> {
-    let fill = |some: &[Reference]| {
+pub(super) fn best_plane(
+    level: Level,
+    set: &Set,
+    references: &[Reference],
+    block_shift: u32,
+) -> Option<Plane> {
+    let fill = |references: &[Reference]| {
         let mut slabs = Slabs::new(set.bounds);
-        for reference in some {
-            slabs.add(reference);
-        }
+        level.run(Fill { slabs: &mut slabs, references });
         slabs
     };
     let slabs = if references.len() < SHARED {
