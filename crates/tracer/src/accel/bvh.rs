@@ -5,7 +5,7 @@
 //! misses, never keep one out that a candidate's own formula would hit.
 
 use super::Candidate;
-use super::wide::{Candidates, Leaf, Options, TimeScale, Visitor, Wide};
+use super::wide::{Candidates, Gathered, Leaf, Options, Span, TimeScale, Visitor, Wide};
 use crate::meter::Meter;
 use crate::simd::{Level, Simd, Work};
 use crate::{Aabb, Interval, Ray};
@@ -32,12 +32,12 @@ impl Bvh {
         // Boxes are tested eight at a time, in less time than any one candidate:
         // each has one of its own.
         let options = Options { leaf_size: 1, extra: 0.0 };
-        let mut order = Vec::with_capacity(bounded.len());
-        let wide = Wide::new(&finite, rounding, options, |items| {
-            let place = order.len() as u32;
-            order.extend(items.iter().map(|&item| bounded[item as usize]));
-            Leaf::new(place, items.len() as u32)
-        });
+        let gathered = Gathered::new(&finite, options);
+        let leaf = |_, span: Span| Leaf::new(span.first, span.count);
+        let (wide, _, mut order) = Wide::new(gathered, &finite, rounding, options, leaf);
+        for item in &mut order {
+            *item = bounded[*item as usize];
+        }
         Self { wide, level: Level::best(), order, unbounded }
     }
 
@@ -94,8 +94,8 @@ impl Candidates for Boxes {
     fn count(&self) -> u32 {
         self.0.len() as u32
     }
-    fn bounds(&self, number: u32) -> Aabb {
-        self.0[number as usize]
+    fn bounds(&self, number: u32) -> Option<Aabb> {
+        Some(self.0[number as usize])
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod batch;
 mod blocks;
+mod make;
 mod packet;
 mod precision;
 mod sight;
@@ -14,39 +15,12 @@ use glam::DVec3;
 
 use super::triangle::{self, Shear};
 use super::{Contact, Departure, Geometry, SurfacePoint};
-use crate::accel::wide::{Candidates, Leaf, MOST_PLACES, Options, Wide};
-use crate::accel::{Build, List};
-use crate::math::max_abs;
+use crate::accel::List;
+use crate::accel::wide::Wide;
 use crate::meter::{Event, Meter, Unmetered};
-use crate::refused::{point, refuse_unless};
 use crate::simd::Level;
-use crate::{Aabb, Interval, Ray, Refused, UnitVec};
-use blocks::{Blocks, LANES, NOBODY};
-
-/// How many places more than triangles there may be in the leaves, in shares of
-/// those: long triangles then stand in several.
-const EXTRA: f64 = 0.2;
-
-/// How many times more than in `f64` hits are off that are met in `f32`.
-const FAST_ROUNDING: f64 = f32::EPSILON as f64 / f64::EPSILON;
-
-/// The triangles of these numbers, which have an area.
-struct Triangles<'a, F> {
-    numbers: &'a [u32],
-    corners: &'a F,
-}
-
-impl<F: Fn(u32) -> [DVec3; 3] + Sync> Candidates for Triangles<'_, F> {
-    fn count(&self) -> u32 {
-        self.numbers.len() as u32
-    }
-    fn bounds(&self, number: u32) -> Aabb {
-        triangle::bounds((self.corners)(self.numbers[number as usize]))
-    }
-    fn corners(&self, number: u32) -> Option<[DVec3; 3]> {
-        Some((self.corners)(self.numbers[number as usize]))
-    }
-}
+use crate::{Aabb, Interval, Ray, UnitVec};
+use blocks::{Blocks, NOBODY};
 
 /// Normals at the corners of a mesh's triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,104 +70,7 @@ enum Order {
     Wide(Wide),
 }
 
-/// Up to this many triangles are met without a hierarchy: two blocks, which is
-/// less work than a node.
-const FEW: usize = 2 * LANES;
-
 impl Mesh {
-    /// A mesh from its corners and, for each triangle, the indices of its
-    /// three.
-    ///
-    /// # Errors
-    /// Refuses a mesh without a triangle that has an area, corners or normals that are not
-    /// finite, an index out of range, and normals for another number of
-    /// triangles.
-    // It stands for them from then on.
-    #[allow(clippy::needless_pass_by_value)]
-    pub fn new(
-        vertices: Vec<DVec3>,
-        faces: Vec<[u32; 3]>,
-        normals: Option<MeshNormals>,
-        build: Build,
-    ) -> Result<Self, Refused> {
-        let indices_fit = |faces: &[[u32; 3]], count: usize| {
-            faces.iter().flatten().all(|&i| (i as usize) < count)
-        };
-        let normals_fit = normals.as_ref().is_none_or(|n| {
-            n.faces.len() == faces.len()
-                && indices_fit(&n.faces, n.normals.len())
-                && n.normals.iter().all(|n| n.is_finite())
-        });
-        Refused::unless([
-            vertices.iter().find_map(|&v| point("vertices", v)),
-            refuse_unless(!faces.is_empty(), "faces", "at least one triangle", || "none".into()),
-            refuse_unless(
-                faces.len() <= MOST_PLACES,
-                "faces",
-                format!("at most {MOST_PLACES} triangles"),
-                || faces.len().to_string(),
-            ),
-            refuse_unless(
-                indices_fit(&faces, vertices.len()),
-                "faces",
-                format!("corner indices below {}", vertices.len()),
-                || faces.iter().flatten().max().map_or("none".into(), u32::to_string),
-            ),
-            refuse_unless(
-                normals_fit,
-                "normals",
-                "three indices of finite normals for each triangle",
-                || "other ones".into(),
-            ),
-        ])?;
-        let corners = |face: &[u32; 3]| face.map(|i| vertices[i as usize]);
-        Refused::unless([refuse_unless(
-            faces.iter().any(|f| triangle::normal(corners(f)).is_some()),
-            "faces",
-            "at least one triangle with an area",
-            || format!("{} without", faces.len()),
-        )])?;
-        let has_area = |face: &[u32; 3]| triangle::normal(corners(face)).is_some();
-        let numbers: Vec<u32> =
-            (0..faces.len() as u32).filter(|&i| has_area(&faces[i as usize])).collect();
-        let corners = |number: u32| faces[number as usize].map(|i| vertices[i as usize]);
-        let triangles = Triangles { numbers: &numbers, corners: &corners };
-        let boxes = (0..triangles.count()).map(|i| triangles.bounds(i));
-        let bounds = boxes.fold(Aabb::EMPTY, Aabb::union);
-        let is_single = Blocks::are_single(&vertices);
-        let mut blocks = Blocks::empty(is_single || build == Build::Fast);
-        let order = if build == Build::List || numbers.len() <= FEW {
-            for four in numbers.chunks(LANES) {
-                blocks.add(four, &corners);
-            }
-            if build == Build::List { Order::List(List::new(faces.len())) } else { Order::Blocks }
-        } else {
-            let options = Options { leaf_size: LANES, extra: EXTRA };
-            let rounding = if build == Build::Fast { FAST_ROUNDING } else { 1.0 };
-            Order::Wide(Wide::new(&triangles, rounding, options, |items| {
-                let mut four = [NOBODY; LANES];
-                for (number, &item) in four.iter_mut().zip(items) {
-                    *number = numbers[item as usize];
-                }
-                let count = items.len().min(LANES);
-                Leaf::new(blocks.add(&four[..count], &corners), count as u32)
-            }))
-        };
-        let mut places = vec![NOBODY; faces.len()];
-        for block in 0..blocks.len() {
-            for (lane, number) in blocks.numbers(block).into_iter().enumerate() {
-                if number != NOBODY {
-                    places[number as usize] = (block * LANES + lane) as u32;
-                }
-            }
-        }
-        let middle = bounds.center();
-        let half = max_abs(bounds.max - middle).max(max_abs(middle - bounds.min));
-        let is_fast = build == Build::Fast;
-        let level = Level::best();
-        Ok(Self { blocks, places, normals, bounds, middle, half, order, is_fast, level })
-    }
-
     /// The same mesh, met with these instructions.
     #[cfg(test)]
     fn at(mut self, level: crate::simd::Level) -> Self {

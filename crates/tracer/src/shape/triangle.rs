@@ -79,9 +79,32 @@ pub(super) fn normal([a, b, c]: [DVec3; 3]) -> Option<UnitVec> {
     ))
 }
 
+/// Whether a triangle has a [`normal`].
+///
+/// Proof that the quick answer is the other one. Let `m` and `n` be the largest
+/// components of the edges. A product of two components is off by a roundoff `u`
+/// of at most `m n`, their difference by another, and by next to nothing where
+/// they underflow: where it is found above `16 u m n`, it is above `12 u m n`.
+/// `normal` divides the edges by `m` and `n`, which moves each component by `u`
+/// of itself and the difference by `4 u` at most, so that what it finds is above
+/// `8 u`, and no zero.
+#[inline(always)]
+pub(super) fn has_normal([a, b, c]: [DVec3; 3]) -> bool {
+    /// See the proof.
+    const CLEAR: f64 = 16.0 * UNIT_ROUNDOFF;
+    /// A product from here on keeps `u` of itself in the range of `f64`.
+    const LEAST: f64 = f64::MIN_POSITIVE / (UNIT_ROUNDOFF * UNIT_ROUNDOFF);
+    let (e, f) = (b - a, c - a);
+    let largest = max_abs(e) * max_abs(f);
+    let is_clear = largest >= LEAST && max_abs(e.cross(f)) > CLEAR * largest;
+    is_clear || normal([a, b, c]).is_some()
+}
+
 /// Bounds of the corners.
+#[inline(always)]
 pub(super) fn bounds(corners: [DVec3; 3]) -> Aabb {
-    Aabb::around(corners)
+    let [a, b, c] = corners;
+    Aabb { min: a.min(b).min(c), max: a.max(b).max(c) }
 }
 
 /// The point by its corners' weights, which stays on the plane whatever the

@@ -11,16 +11,17 @@ mod packet;
 mod slabs;
 mod walk;
 
-pub(crate) use build::{Candidates, Options};
+pub(crate) use build::{Candidates, Gathered, Options, Span};
 pub(crate) use bundle::{Abreast, Bundle, RAYS, longest};
 pub(crate) use node::{Leaf, MOST_PLACES};
 pub(crate) use packet::{Packet, Visitors};
 pub(crate) use slabs::TimeScale;
 pub(crate) use walk::Visitor;
 
+use build::Tree;
 use glam::DVec3;
+use rayon::prelude::*;
 
-use crate::math::power_of_two_below;
 use crate::meter::Meter;
 use crate::simd::Simd;
 use crate::{Aabb, Interval, Ray};
@@ -50,35 +51,33 @@ pub(crate) struct Wide {
 }
 
 impl Wide {
-    /// The hierarchy over these candidates. Each leaf is put where `leaf` says,
-    /// which is told the numbers of its candidates, of which there are at most
-    /// `options.leaf_size`.
+    /// The hierarchy over the candidates that were gathered. Each leaf is put
+    /// where `leaf` says, which is told its number and where its candidates are
+    /// in the items; there are at most `options.leaf_size`. Returns the leaves
+    /// in the order of their numbers, and the items, too.
     pub(crate) fn new(
+        gathered: Gathered,
         candidates: &impl Candidates,
         rounding: f64,
         options: Options,
-        mut leaf: impl FnMut(&[u32]) -> Leaf,
-    ) -> Self {
-        let boxes = (0..candidates.count()).map(|i| candidates.bounds(i));
-        let all = boxes.reduce(Aabb::union).unwrap_or(Aabb { min: DVec3::ZERO, max: DVec3::ZERO });
-        let scale = 1.0 / power_of_two_below(all.max_abs()).unwrap_or(1.0);
-        let [x, y, z] = (all.min.abs().max(all.max.abs()) * scale).to_array();
-        let tree = build::build(&Scaled { candidates, scale }, options);
-        let nodes = tree.branches.iter().map(|branch| {
-            Node::new(branch, |first, count| {
-                leaf(&tree.items[first as usize..(first + count) as usize])
-            })
-        });
-        let nodes = nodes.collect();
+        leaf: impl Fn(u32, Span) -> Leaf + Sync,
+    ) -> (Self, Vec<Span>, Vec<u32>) {
+        let scale = gathered.scale;
+        let is_empty = gathered.count() == 0;
+        let bounds = if is_empty { Aabb::around([DVec3::ZERO]) } else { gathered.bounds };
+        let [x, y, z] = (bounds.min.abs().max(bounds.max.abs()) * scale).to_array();
+        let Tree { branches, leaves, items } = build::build(gathered, candidates, options);
+        let nodes = branches.par_iter().map(|branch| Node::new(branch, &leaf)).collect();
         let largest = x.max(y).max(z);
-        Self {
+        let wide = Self {
             nodes,
             scale,
             extent: [x, y, z, 0.0],
             largest,
             farthest: slabs::FARTHEST * largest,
             thickness: slabs::thickness(rounding),
-        }
+        };
+        (wide, leaves, items)
     }
 
     /// How many bytes it takes.
@@ -124,24 +123,5 @@ impl Wide {
             }
         }
         boxes
-    }
-}
-
-/// Candidates times a power of two.
-struct Scaled<'a, C> {
-    candidates: &'a C,
-    scale: f64,
-}
-
-impl<C: Candidates> Candidates for Scaled<'_, C> {
-    fn count(&self) -> u32 {
-        self.candidates.count()
-    }
-    fn bounds(&self, number: u32) -> Aabb {
-        let Aabb { min, max } = self.candidates.bounds(number);
-        Aabb { min: min * self.scale, max: max * self.scale }
-    }
-    fn corners(&self, number: u32) -> Option<[DVec3; 3]> {
-        Some(self.candidates.corners(number)?.map(|corner| corner * self.scale))
     }
 }

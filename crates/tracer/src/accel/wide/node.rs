@@ -1,6 +1,6 @@
 //! `Node`: eight boxes and what is in each.
 
-use super::build::{Branch, Child};
+use super::build::{Branch, Child, Span};
 
 /// An inner node of the hierarchy: four lines of the cache, one for each axis and
 /// one for the children.
@@ -53,15 +53,20 @@ impl Leaf {
 }
 
 impl Node {
-    /// The node of a branch as built, its leaves put where `leaf` says.
-    pub(super) fn new(branch: &Branch, mut leaf: impl FnMut(u32, u32) -> Leaf) -> Self {
+    /// The node of a branch as built, its leaves put where `leaf` says, which is
+    /// told their numbers.
+    pub(super) fn new(branch: &Branch, leaf: impl Fn(u32, Span) -> Leaf) -> Self {
         let nowhere = [[f32::INFINITY; 8], [f32::NEG_INFINITY; 8]];
         let mut node = Self { planes: [nowhere; 3], children: [0; 8] };
+        let mut number = branch.first_leaf;
         for (k, (bounds, child)) in branch.bounds.iter().zip(&branch.children).enumerate() {
             node.children[k] = match *child {
                 Child::None => continue,
                 Child::Branch(branch) => branch,
-                Child::Leaf { first, count } => leaf(first, count).0,
+                Child::Leaf(span) => {
+                    number += 1;
+                    leaf(number - 1, span).0
+                }
             };
             for axis in 0..3 {
                 node.planes[axis][0][k] = bounds.min[axis];

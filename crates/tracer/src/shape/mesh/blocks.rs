@@ -2,8 +2,10 @@
 //! holds them against a ray.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::precision::Precision;
+use crate::accel::wide::Span;
 use crate::simd::Simd;
 
 /// How many triangles a block has room for.
@@ -11,6 +13,25 @@ pub(super) const LANES: usize = 4;
 
 /// The number of a lane without a triangle.
 pub(super) const NOBODY: u32 = u32::MAX;
+
+/// Blocks are made by this many at a time.
+const CHUNK: usize = 256;
+
+/// Where a mesh's triangles are.
+#[derive(Clone, Copy)]
+pub(super) struct Corners<'a> {
+    pub(super) vertices: &'a [DVec3],
+    pub(super) faces: &'a [[u32; 3]],
+}
+
+impl Corners<'_> {
+    /// The corners of one.
+    #[inline(always)]
+    pub(super) fn of(self, number: u32) -> [DVec3; 3] {
+        let [a, b, c] = self.faces[number as usize];
+        [self.vertices[a as usize], self.vertices[b as usize], self.vertices[c as usize]]
+    }
+}
 
 /// Up to four triangles, side by side.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +45,7 @@ pub(super) struct Block<T> {
 }
 
 /// A number that corners are stored as.
-pub(super) trait Number: Copy + Into<f64> {
+pub(super) trait Number: Copy + Into<f64> + Send {
     /// Stands for no triangle.
     const NOWHERE: Self;
     /// The number, rounded.
@@ -56,15 +77,16 @@ impl Number for f64 {
 }
 
 impl<T: Number> Block<T> {
-    /// The triangles of these numbers, which have these corners.
-    fn new(numbers: &[u32], corners: &impl Fn(u32) -> [DVec3; 3]) -> Self {
+    /// The triangles of these numbers.
+    fn new(numbers: &[u32], corners: Corners<'_>) -> Self {
         let mut block = Self { corners: [[[T::NOWHERE; LANES]; 3]; 3], numbers: [NOBODY; LANES] };
         for (lane, &number) in numbers.iter().enumerate().take(LANES) {
             block.numbers[lane] = number;
-            for (stored, corner) in block.corners.iter_mut().zip(corners(number)) {
-                for (stored, x) in stored.iter_mut().zip(corner.to_array()) {
-                    stored[lane] = T::rounded(x);
-                }
+            let [a, b, c] = corners.of(number);
+            for (stored, corner) in block.corners.iter_mut().zip([a, b, c]) {
+                stored[0][lane] = T::rounded(corner.x);
+                stored[1][lane] = T::rounded(corner.y);
+                stored[2][lane] = T::rounded(corner.z);
             }
         }
         block
@@ -101,23 +123,22 @@ pub(super) enum Blocks {
 }
 
 impl Blocks {
-    /// Whether all of these coordinates are numbers of `f32`.
-    pub(super) fn are_single(vertices: &[DVec3]) -> bool {
-        vertices.iter().all(|v| v.to_array().iter().all(|&x| f64::from(x as f32) == x))
-    }
-
-    /// No triangles, to be stored in `f32` or not.
-    pub(super) fn empty(are_single: bool) -> Self {
-        if are_single { Self::Single(Vec::new()) } else { Self::Double(Vec::new()) }
-    }
-
-    /// Adds a block of up to four triangles; returns its place.
-    pub(super) fn add(&mut self, numbers: &[u32], corners: &impl Fn(u32) -> [DVec3; 3]) -> u32 {
-        match self {
-            Self::Single(blocks) => blocks.push(Block::new(numbers, corners)),
-            Self::Double(blocks) => blocks.push(Block::new(numbers, corners)),
+    /// A block for each of these leaves, stored in `f32` or not.
+    pub(super) fn new(
+        leaves: &[Span],
+        items: &[u32],
+        corners: Corners<'_>,
+        are_single: bool,
+    ) -> Self {
+        fn all<T: Number>(leaves: &[Span], items: &[u32], corners: Corners<'_>) -> Vec<Block<T>> {
+            let leaves = leaves.par_iter().with_min_len(CHUNK);
+            leaves.map(|leaf| Block::new(leaf.of(items), corners)).collect()
         }
-        self.len() as u32 - 1
+        if are_single {
+            Self::Single(all(leaves, items, corners))
+        } else {
+            Self::Double(all(leaves, items, corners))
+        }
     }
 
     /// How many blocks there are.

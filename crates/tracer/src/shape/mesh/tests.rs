@@ -3,7 +3,7 @@
 use glam::dvec3;
 
 use super::*;
-use crate::accel::Coherence;
+use crate::accel::{Build, Coherence};
 
 /// The square [0, 2]^2 at z = 0 as two triangles that share a diagonal, and
 /// four more out of the way, so that there is a hierarchy.

@@ -10,14 +10,17 @@ use rayon::prelude::*;
 
 use super::bounds::Bounds;
 use super::reference::Reference;
+use crate::simd::{Level, Simd, Work};
 
 /// The most bins per axis, a power of two.
 pub(super) const BINS: usize = 32;
 /// References are put into bins by this many at a time.
-const CHUNK: usize = 1 << 14;
+const CHUNK: usize = 1 << 12;
+/// A set from this size on is looked at by all threads.
+pub(super) const SHARED: usize = 1 << 14;
 /// Added to a number below 2^22 it leaves the nearest whole number in the last
 /// bits of the sum: 1.5 * 2^23.
-const TO_INTEGER: f32 = 12_582_912.0;
+pub(super) const TO_INTEGER: f32 = 12_582_912.0;
 /// Centers closer together than this share of the units count as one: the
 /// quotient that tells bins apart stays in the range of `f32`.
 const ONE_PLACE: f32 = 1e-30;
@@ -89,7 +92,8 @@ impl Bins {
     }
 
     /// Makes these the bins of a set, whatever they were before.
-    pub(super) fn refill(&mut self, grid: Grid, references: &[Reference]) {
+    #[inline(always)]
+    fn refill(&mut self, grid: Grid, references: &[Reference]) {
         self.grid = grid;
         self.bounds[..grid.count].fill([Bounds::EMPTY; 3]);
         self.counts[..grid.count].fill([0; 4]);
@@ -97,10 +101,15 @@ impl Bins {
     }
 
     /// The same for a large set, in parallel.
-    pub(super) fn refill_side_by_side(&mut self, grid: Grid, references: &[Reference]) {
+    pub(super) fn refill_side_by_side(
+        &mut self,
+        level: Level,
+        grid: Grid,
+        references: &[Reference],
+    ) {
         let filled = |some| {
             let mut bins = Self::empty();
-            bins.refill(grid, some);
+            level.run(Refill { bins: &mut bins, grid, references: some });
             bins
         };
         let empty = || Self { grid, ..Self::empty() };
@@ -108,7 +117,7 @@ impl Bins {
     }
 
     /// Puts references into their bins.
-    #[inline]
+    #[inline(always)]
     fn fill(&mut self, references: &[Reference]) {
         for reference in references {
             let [x, y, z, _] = self.grid.place(reference.center()).to_array();
@@ -136,6 +145,7 @@ impl Bins {
 
     /// The cut for which the sum over both sides of area times blocks is least;
     /// `None` if along every axis all centers are in one bin.
+    #[inline(always)]
     pub(super) fn best_cut(&self, block_shift: u32) -> Option<Cut> {
         let count = self.grid.count;
         let mut right_costs = [Vec4::INFINITY; BINS];
@@ -161,7 +171,7 @@ impl Bins {
             .then(|| Cut { cost: least[axis], ..self.cut(axis, best[axis]) })
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&self, bin: usize, sides: &mut [Bounds; 3], counts: &mut [u32; 4]) {
         for (side, bounds) in sides.iter_mut().zip(self.bounds[bin]) {
             *side = side.union(bounds);
@@ -186,6 +196,38 @@ impl Bins {
             cost: 0.0,
             left: self.counts[..=last].iter().map(|n| n[axis] as usize).sum(),
         }
+    }
+}
+
+/// Makes bins those of a set.
+struct Refill<'a> {
+    bins: &'a mut Bins,
+    grid: Grid,
+    references: &'a [Reference],
+}
+
+impl Work for Refill<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        self.bins.refill(self.grid, self.references);
+    }
+}
+
+/// Makes bins those of a set, and finds its best cut.
+pub(super) struct BestCut<'a> {
+    pub bins: &'a mut Bins,
+    pub grid: Grid,
+    pub references: &'a [Reference],
+    pub block_shift: u32,
+}
+
+impl Work for BestCut<'_> {
+    type Output = Option<Cut>;
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> Option<Cut> {
+        self.bins.refill(self.grid, self.references);
+        self.bins.best_cut(self.block_shift)
     }
 }
 

@@ -55,6 +55,7 @@ pub(super) fn triangle_between(
 }
 
 /// What of a box is between the planes.
+#[inline(always)]
 pub(super) fn slab(within: Bounds, axis: usize, [lo, hi]: [f32; 2]) -> Bounds {
     let (mut min, mut max) = (within.lo, within.hi);
     min[axis] = min[axis].max(lo);

@@ -1,38 +1,38 @@
 //! The collapse of a binary tree into branches of up to eight children.
 
+use rayon::prelude::*;
+
 use super::bounds::Bounds;
 use super::costs::Shares;
-use super::grow::{Grown, Kind, Node, Part};
+use super::grow::{Grown, Joint, Kind, Node, Part};
 use super::units::Units;
-use super::{Box32, Branch, Child, Tree, WIDTH};
+use super::{Box32, Branch, Child, Span, Tree, WIDTH};
 
 /// Levels of branches on which children are the ones that cost least. Below,
 /// they are those three binary levels down.
 pub(super) const FREE_LEVELS: usize = 16;
-/// A guess that is rarely too high, for the room that branches take.
-const ITEMS_PER_BRANCH: usize = 16;
+/// A guess that is rarely too low, for the room that branches take.
+const NODES_PER_BRANCH: usize = 6;
 /// The binary logarithm of [`WIDTH`].
 pub(super) const LEVELS_PER_BRANCH: usize = 3;
 
 /// The tree of branches.
-pub(super) fn collapse(grown: &Grown, units: Units) -> Tree {
-    let mut walk = Walk { units, from: &grown.items, tree: Tree::default() };
-    walk.tree.items.reserve(grown.items.len());
-    walk.tree.branches.reserve(grown.items.len() / ITEMS_PER_BRANCH);
-    walk.branch(Place::of(&grown.root), 0);
-    walk.tree
+pub(super) fn collapse(grown: Grown, units: Units) -> Tree {
+    let piece = Piece::new(Place::of(&grown.root), 0, units);
+    let (branches, leaves) = piece.lay();
+    Tree { branches, leaves, items: grown.items }
 }
 
 /// A node of the binary tree.
 #[derive(Clone, Copy)]
 enum Place<'a> {
-    Joint { shares: Shares, bounds: Bounds, sides: &'a [Part; 2] },
+    Joint(&'a Joint),
     In { nodes: &'a [Node], index: usize },
 }
 
 /// What a node of the binary tree is.
 enum Seen<'a> {
-    Leaf { first: u32, count: u32 },
+    Leaf(Span),
     Inner { shares: Shares, sides: [Place<'a>; 2] },
 }
 
@@ -40,26 +40,24 @@ impl<'a> Place<'a> {
     fn of(part: &'a Part) -> Self {
         match part {
             Part::Small(nodes) => Self::In { nodes, index: 0 },
-            Part::Joint { shares, bounds, sides } => {
-                Self::Joint { shares: *shares, bounds: *bounds, sides }
-            }
+            Part::Joint(joint) => Self::Joint(joint),
         }
     }
 
     fn bounds(self) -> Bounds {
         match self {
-            Self::Joint { bounds, .. } => bounds,
+            Self::Joint(joint) => joint.bounds,
             Self::In { nodes, index } => nodes[index].bounds,
         }
     }
 
     fn see(self) -> Seen<'a> {
         match self {
-            Self::Joint { shares, sides, .. } => {
-                Seen::Inner { shares, sides: [Self::of(&sides[0]), Self::of(&sides[1])] }
+            Self::Joint(Joint { shares, sides, .. }) => {
+                Seen::Inner { shares: *shares, sides: [Self::of(&sides[0]), Self::of(&sides[1])] }
             }
             Self::In { nodes, index } => match nodes[index].kind {
-                Kind::Leaf { first, count } => Seen::Leaf { first, count },
+                Kind::Leaf(span) => Seen::Leaf(span),
                 Kind::Inner { right, shares } => {
                     let side = |index| Self::In { nodes, index };
                     Seen::Inner { shares, sides: [side(index + 1), side(index + right as usize)] }
@@ -69,40 +67,55 @@ impl<'a> Place<'a> {
     }
 }
 
-struct Walk<'a> {
-    units: Units,
-    /// The binary tree's items.
-    from: &'a [u32],
-    tree: Tree,
+/// What a walk over a part of the binary tree has found.
+#[derive(Default)]
+pub(super) struct Walked {
+    pub branches: Vec<Branch>,
+    pub leaves: Vec<Span>,
 }
 
-impl<'a> Walk<'a> {
+impl Walked {
     /// Appends the branch for this node and all below it; returns its index.
-    fn branch(&mut self, place: Place<'a>, level: usize) -> u32 {
-        let mut chosen = Chosen { places: [place; WIDTH], count: 0 };
-        if level < FREE_LEVELS {
-            chosen.cheapest(place, WIDTH, true);
-        } else {
-            chosen.down(place, LEVELS_PER_BRANCH);
-        }
-        let index = self.tree.branches.len();
-        let none = Branch { bounds: [Box32::EMPTY; WIDTH], children: [Child::None; WIDTH] };
-        self.tree.branches.push(none);
-        for (k, &place) in chosen.places[..chosen.count].iter().enumerate() {
-            let child = match place.see() {
-                Seen::Leaf { first, count } => {
-                    let start = self.tree.items.len() as u32;
-                    let leaf = &self.from[first as usize..(first + count) as usize];
-                    self.tree.items.extend_from_slice(leaf);
-                    Child::Leaf { first: start, count }
-                }
-                Seen::Inner { .. } => Child::Branch(self.branch(place, level + 1)),
-            };
-            let branch = &mut self.tree.branches[index];
-            branch.bounds[k] = self.units.scene_box(place.bounds());
-            branch.children[k] = child;
+    fn branch(&mut self, place: Place<'_>, level: usize, units: Units) -> u32 {
+        let chosen = Chosen::of(place, level);
+        let index = self.branches.len();
+        self.branches.push(chosen.branch(units, &mut self.leaves));
+        for (k, &place) in chosen.all().iter().enumerate() {
+            if let Seen::Inner { .. } = place.see() {
+                let child = self.branch(place, level + 1, units);
+                self.branches[index].children[k] = Child::Branch(child);
+            }
         }
         index as u32
+    }
+}
+
+/// A branch and all below it.
+pub(super) enum Piece {
+    /// All of it in one.
+    Whole(Walked),
+    /// A branch, its leaves, and what is below it: by the number of the child.
+    Joint { branch: Box<Branch>, leaves: Vec<Span>, below: Vec<(usize, Piece)> },
+}
+
+impl Piece {
+    /// The branch for a node and all below it, those of large parts side by
+    /// side.
+    fn new(place: Place<'_>, level: usize, units: Units) -> Self {
+        if let Place::In { nodes, .. } = place {
+            let mut walked = Walked::default();
+            walked.branches.reserve(nodes.len() / NODES_PER_BRANCH + 1);
+            walked.leaves.reserve(nodes.len() / 2 + 1);
+            walked.branch(place, level, units);
+            return Self::Whole(walked);
+        }
+        let chosen = Chosen::of(place, level);
+        let mut leaves = Vec::new();
+        let branch = chosen.branch(units, &mut leaves);
+        let children = chosen.all().par_iter().enumerate();
+        let inner = children.filter(|(_, place)| matches!(place.see(), Seen::Inner { .. }));
+        let below = inner.map(|(k, &place)| (k, Self::new(place, level + 1, units)));
+        Self::Joint { branch: Box::new(branch), leaves, below: below.collect() }
     }
 }
 
@@ -113,6 +126,39 @@ struct Chosen<'a> {
 }
 
 impl<'a> Chosen<'a> {
+    /// Those of the branch for this node, so many levels below the root.
+    fn of(place: Place<'a>, level: usize) -> Self {
+        let mut chosen = Self { places: [place; WIDTH], count: 0 };
+        if level < FREE_LEVELS {
+            chosen.cheapest(place, WIDTH, true);
+        } else {
+            chosen.down(place, LEVELS_PER_BRANCH);
+        }
+        chosen
+    }
+
+    fn all(&self) -> &[Place<'a>] {
+        &self.places[..self.count]
+    }
+
+    /// The branch of these children, of which those that are branches are left
+    /// out. Appends the leaves.
+    fn branch(&self, units: Units, leaves: &mut Vec<Span>) -> Branch {
+        let mut branch = Branch {
+            bounds: [Box32::EMPTY; WIDTH],
+            children: [Child::None; WIDTH],
+            first_leaf: leaves.len() as u32,
+        };
+        for (k, place) in self.all().iter().enumerate() {
+            branch.bounds[k] = units.scene_box(place.bounds());
+            if let Seen::Leaf(span) = place.see() {
+                branch.children[k] = Child::Leaf(span);
+                leaves.push(span);
+            }
+        }
+        branch
+    }
+
     fn push(&mut self, place: Place<'a>) {
         self.places[self.count] = place;
         self.count += 1;

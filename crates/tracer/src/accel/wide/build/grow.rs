@@ -2,13 +2,15 @@
 
 use glam::Vec3;
 
-use super::bins::{BINS, Bins, Cut, Grid};
+use super::Span;
+use super::bins::{BINS, BestCut, Bins, Cut, Grid, SHARED};
 use super::bounds::Bounds;
 use super::costs::{Costs, Shares};
-use super::partition::{Set, halve, partition};
+use super::partition::{Partition, Set, halve};
 use super::reference::Reference;
 use super::space::Space;
 use super::spatial::{Knife, best_plane, cut_along};
+use crate::simd::Level;
 
 /// Below this many levels sets are halved by count.
 const FREE_LEVELS: usize = 38;
@@ -18,18 +20,19 @@ const HALVINGS: usize = 32;
 pub(super) const MAX_BINARY_LEVELS: usize = FREE_LEVELS + HALVINGS;
 /// Sets of this size and larger are grown side by side.
 const TASK: usize = 4096;
-/// A set from this size on is looked at by all threads.
-const SHARED: usize = 1 << 16;
 /// Planes are looked for where the boxes of the best cut's sides have in common
 /// this share of the set's width in each axis: along one in which they part
 /// more clearly, a plane would part them no better,
 const THICK: f32 = 0.2;
 /// and this share of the whole tree's area: less is not met by enough rays.
-const LEAST_OVERLAP: f32 = 1e-4;
+const LEAST_OVERLAP: f32 = 1e-2;
 /// A plane is taken if it costs less than this share of the best cut.
 const GAIN: f32 = 0.95;
 /// After so many sets in vain, one in another, there is none worth looking for.
 const PATIENCE: u32 = 2;
+/// Planes are looked for in sets from this size on: in smaller ones they
+/// promise next to nothing.
+const FEWEST: usize = 64;
 /// The fewest bins, and the references for each one more.
 const MIN_BINS: usize = 8;
 const PER_BIN: usize = 8;
@@ -43,17 +46,27 @@ pub(super) struct Node {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Kind {
-    /// `items[first..first + count]`.
-    Leaf { first: u32, count: u32 },
+    Leaf(Span),
     /// The left child comes next, the right one so many nodes on.
-    Inner { right: u32, shares: Shares },
+    Inner {
+        right: u32,
+        shares: Shares,
+    },
 }
 
 /// A binary tree: small ones as the nodes in the order of a walk.
 #[derive(Debug)]
 pub(super) enum Part {
     Small(Vec<Node>),
-    Joint { shares: Shares, bounds: Bounds, sides: Box<[Part; 2]> },
+    Joint(Box<Joint>),
+}
+
+/// An inner node, and what is on its sides.
+#[derive(Debug)]
+pub(super) struct Joint {
+    pub shares: Shares,
+    pub bounds: Bounds,
+    pub sides: [Part; 2],
 }
 
 /// A binary tree with the candidates of its leaves.
@@ -75,7 +88,7 @@ pub(super) fn grow(
     let mut there = Reference::blanks(references.len());
     let mut items = vec![0; references.len()];
     let least_overlap = LEAST_OVERLAP * set.bounds.half_area();
-    let grower = Grower { block_shift, knife, least_overlap };
+    let grower = Grower { level: Level::best(), block_shift, knife, least_overlap };
     let space = Space {
         here: &mut references,
         there: &mut there,
@@ -97,6 +110,8 @@ struct Work {
 }
 
 struct Grower<'a> {
+    /// With which instructions.
+    level: Level,
     /// The binary logarithm of a leaf's size.
     block_shift: u32,
     knife: Knife<'a>,
@@ -117,7 +132,8 @@ impl Grower<'_> {
         let ((left, left_costs), (right, right_costs)) =
             rayon::join(|| self.part(left_space, &sides[0]), || self.part(right_space, &sides[1]));
         let (costs, shares) = Costs::inner(set.bounds.half_area(), &left_costs, &right_costs);
-        (Part::Joint { shares, bounds: set.bounds, sides: Box::new([left, right]) }, costs)
+        let joint = Joint { shares, bounds: set.bounds, sides: [left, right] };
+        (Part::Joint(Box::new(joint)), costs)
     }
 
     /// Appends the tree over a set.
@@ -128,7 +144,7 @@ impl Grower<'_> {
             return Costs::LEAF;
         }
         let index = work.nodes.len();
-        work.nodes.push(Node { bounds, kind: Kind::Leaf { first: 0, count: 0 } });
+        work.nodes.push(Node { bounds, kind: Kind::Leaf(Span::default()) });
         let (sides, [left_space, right_space]) = self.cut(space, set, &mut work.bins);
         let left = self.node(left_space, &sides[0], work);
         let right_index = work.nodes.len();
@@ -153,7 +169,7 @@ impl Grower<'_> {
             }
             let (left, right) = (cut.left, space.count - cut.left);
             let (from, to) = space.set_and_room();
-            let sides = partition(from, to, &cut);
+            let sides = self.level.run(Partition { from, to, cut: &cut });
             return (sides, space.split(left, right));
         }
         let (from, to) = space.set_and_room();
@@ -169,12 +185,13 @@ impl Grower<'_> {
     fn best_cut(&self, references: &[Reference], set: &Set, bins: &mut Bins) -> Option<Cut> {
         let count = (MIN_BINS + references.len() / PER_BIN).min(BINS);
         let grid = Grid::new(set.centers, count);
+        let block_shift = self.block_shift;
         if references.len() < SHARED {
-            bins.refill(grid, references);
+            self.level.run(BestCut { bins, grid, references, block_shift })
         } else {
-            bins.refill_side_by_side(grid, references);
+            bins.refill_side_by_side(self.level, grid, references);
+            bins.best_cut(block_shift)
         }
-        bins.best_cut(self.block_shift)
     }
 
     /// Cuts along a plane, if that is so much better than `cut` that it is
@@ -185,7 +202,7 @@ impl Grower<'_> {
         set: &Set,
         cut: &Cut,
     ) -> Option<([Set; 2], [usize; 2])> {
-        if space.spare() == 0 || space.misses == PATIENCE {
+        if space.count < FEWEST || space.spare() == 0 || space.misses == PATIENCE {
             return None;
         }
         let [left, right] = cut.bounds;
@@ -197,7 +214,7 @@ impl Grower<'_> {
             return None;
         }
         space.misses += 1;
-        let plane = best_plane(set, space.set(), &self.knife, self.block_shift)?;
+        let plane = best_plane(self.level, set, space.set(), self.block_shift)?;
         if !(plane.cost < GAIN * cut.cost) {
             return None;
         }
@@ -222,5 +239,5 @@ pub(super) fn leaf(space: Space<'_>) -> Kind {
             count -= 1;
         }
     }
-    Kind::Leaf { first, count: count as u32 }
+    Kind::Leaf(Span { first, count: count as u32 })
 }

@@ -1,12 +1,12 @@
 //! The builder of the wide hierarchy: from candidates' boxes to a tree whose
 //! nodes have up to eight children.
 //!
-//! The way there, one file each: `units` makes `f32` boxes that hold the `f64`
-//! ones, `bins` finds where to cut a set in two by its members' centers and
+//! The way there, one file each: `gather` looks at every candidate and `units`
+//! makes `f32` boxes that hold the `f64` ones, `bins` finds where to cut a set in two by its members' centers and
 //! `partition` does it, `spatial` cuts along a plane instead where that pays,
 //! and the members on it with `clip`; `grow` goes on until sets are leaves,
 //! which gives a binary tree, and reckons with `costs` which of its nodes to
-//! leave out; `collapse` leaves them out.
+//! leave out; `collapse` leaves them out, piece by piece, which `lay` puts together.
 //!
 //! Every box is conservative, rounded outwards. The tree is a function of the
 //! candidates alone: whatever is chosen depends on sets, through counts,
@@ -17,7 +17,9 @@ mod bounds;
 mod clip;
 mod collapse;
 mod costs;
+mod gather;
 mod grow;
+mod lay;
 mod partition;
 mod reference;
 mod space;
@@ -29,6 +31,7 @@ mod tests;
 
 use glam::DVec3;
 
+pub(crate) use self::gather::Gathered;
 use self::spatial::Knife;
 use crate::Aabb;
 
@@ -67,8 +70,8 @@ pub(crate) enum Child {
     None,
     /// The branch of this index, which is higher than its parent's.
     Branch(u32),
-    /// `items[first..first + count]`, of 1 to `leaf_size` candidates.
-    Leaf { first: u32, count: u32 },
+    /// A leaf of 1 to `leaf_size` candidates.
+    Leaf(Span),
 }
 
 /// An inner node.
@@ -78,6 +81,25 @@ pub(crate) struct Branch {
     pub bounds: [Box32; WIDTH],
     /// The children, of which there is at least one.
     pub children: [Child; WIDTH],
+    /// The number of its first child that is a leaf; its others have the next
+    /// ones.
+    pub first_leaf: u32,
+}
+
+/// Where a leaf's candidates are: `items[first..first + count]`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Span {
+    /// The first.
+    pub first: u32,
+    /// How many.
+    pub count: u32,
+}
+
+impl Span {
+    /// Those of them, among all items.
+    pub(crate) fn of(self, items: &[u32]) -> &[u32] {
+        &items[self.first as usize..(self.first + self.count) as usize]
+    }
 }
 
 /// A tree of branches and leaves.
@@ -86,9 +108,12 @@ pub(crate) struct Tree {
     /// The root first, then in the order of a walk that goes down before it
     /// goes on; none where there are no candidates.
     pub branches: Vec<Branch>,
-    /// Candidates' numbers, leaf after leaf in the order of that walk. One that
-    /// was split is in several leaves, but in each once; of the boxes of these
-    /// leaves each holds a part of it, and all together the whole.
+    /// The leaves, branch after branch.
+    pub leaves: Vec<Span>,
+    /// Candidates' numbers, leaf after leaf in the order of that walk, and
+    /// between leaves what means nothing. One that was split is in several
+    /// leaves, but in each once; of the boxes of these leaves each holds a part
+    /// of it, and all together the whole.
     pub items: Vec<u32>,
 }
 
@@ -107,27 +132,32 @@ pub(crate) struct Options {
 
 /// What a tree is built of.
 pub(crate) trait Candidates: Sync {
-    /// How many there are; they are numbered from 0.
+    /// How many there may be; they are numbered from 0.
     fn count(&self) -> u32;
-    /// The box of one, which is finite.
-    fn bounds(&self, number: u32) -> Aabb;
+    /// The box of one, which is finite; `None` if there is none of this number.
+    fn bounds(&self, number: u32) -> Option<Aabb>;
     /// The corners of one that is a triangle.
     fn corners(&self, _: u32) -> Option<[DVec3; 3]> {
         None
     }
+    /// The largest coordinate of any box, or close to it.
+    fn largest(&self) -> f64 {
+        let boxes = (0..self.count()).filter_map(|number| self.bounds(number));
+        boxes.map(|bounds| bounds.max_abs()).fold(0.0, f64::max)
+    }
 }
 
-/// The tree over some candidates.
-pub(crate) fn build(candidates: &impl Candidates, options: Options) -> Tree {
-    let count = candidates.count();
+/// The tree over the candidates that were gathered.
+pub(crate) fn build(gathered: Gathered, candidates: &impl Candidates, options: Options) -> Tree {
+    let Gathered { scale, units, references, count, set, .. } = gathered;
     if count == 0 {
         return Tree::default();
     }
-    // Saturating, and 0 for NaN; references are counted in 32 bits.
-    let spare = ((f64::from(count) * options.extra) as usize).min((u32::MAX - count) as usize);
-    let bounds = |number| candidates.bounds(number);
-    let (units, references, set) = units::references(count, &bounds, spare);
-    let knife = Knife { units, corners: &|number| candidates.corners(number) };
+    let corners = |number| {
+        let [a, b, c] = candidates.corners(number)?;
+        Some([a * scale, b * scale, c * scale])
+    };
+    let knife = Knife { units, corners: &corners };
     let grown = grow::grow(references, count, &set, options.leaf_size.max(1).ilog2(), knife);
-    collapse::collapse(&grown, units)
+    collapse::collapse(grown, units)
 }

@@ -5,6 +5,7 @@ use glam::BVec4A;
 use super::bins::Cut;
 use super::bounds::Bounds;
 use super::reference::Reference;
+use crate::simd::{Simd, Work};
 
 /// One side of a cut, or the whole.
 #[derive(Debug, Clone, Copy)]
@@ -40,24 +41,35 @@ impl Set {
 
 /// Puts the references `from` into the slice `to`, which has room for them:
 /// those on the left side of the cut at its start, the others at its end.
-pub(super) fn partition(from: &[Reference], to: &mut [Reference], cut: &Cut) -> [Set; 2] {
-    let (mut left, mut right) = (Bounds::EMPTY, Bounds::EMPTY);
-    // Where the next one of the left and of the right side goes. It is written
-    // to both, as a branch could not be foretold.
-    let (mut next, mut end) = (0, to.len());
-    for reference in from {
-        let center = reference.center();
-        let is_left = cut.is_left(center);
-        to[next] = *reference;
-        to[end - 1] = *reference;
-        next += usize::from(is_left);
-        end -= usize::from(!is_left);
-        let on_left = BVec4A::from([is_left; 4]);
-        left = Bounds::select(on_left, left.with(center), left);
-        right = Bounds::select(on_left, right, right.with(center));
+pub(super) struct Partition<'a> {
+    pub from: &'a [Reference],
+    pub to: &'a mut [Reference],
+    pub cut: &'a Cut,
+}
+
+impl Work for Partition<'_> {
+    type Output = [Set; 2];
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> [Set; 2] {
+        let Self { from, to, cut } = self;
+        let (mut left, mut right) = (Bounds::EMPTY, Bounds::EMPTY);
+        // Where the next one of the left and of the right side goes. It is written
+        // to both, as a branch could not be foretold.
+        let (mut next, mut end) = (0, to.len());
+        for reference in from {
+            let center = reference.center();
+            let is_left = cut.is_left(center);
+            to[next] = *reference;
+            to[end - 1] = *reference;
+            next += usize::from(is_left);
+            end -= usize::from(!is_left);
+            let on_left = BVec4A::from([is_left; 4]);
+            left = Bounds::select(on_left, left.with(center), left);
+            right = Bounds::select(on_left, right, right.with(center));
+        }
+        let side = |k: usize, centers| Set { bounds: cut.bounds[k], centers };
+        [side(0, left), side(1, right)]
     }
-    let side = |k: usize, centers| Set { bounds: cut.bounds[k], centers };
-    [side(0, left), side(1, right)]
 }
 
 /// Puts about half of the references first, by their centers along the axis

@@ -2,48 +2,21 @@
 //! that the products of the surface area heuristic leave the range of `f32`.
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::Box32;
 use super::bounds::Bounds;
-use super::partition::Set;
-use super::reference::Reference;
-use crate::Aabb;
 
-/// Largest coordinates from `1 / USUAL` to `USUAL` are taken as they are.
-const USUAL: f32 = (1_u64 << 40) as f32;
 /// The largest power of two by which coordinates are multiplied or divided: it
 /// and its inverse times any `f64` below 2^23 are in the range of `f64`.
 const MAX_EXPONENT: i64 = 1000;
 /// Bits of an `f64` behind its exponent, and what is added to that.
 const EXPONENT_SHIFT: u32 = 52;
 const EXPONENT_BIAS: i64 = 1023;
-/// References are made by this many at a time.
-const CHUNK: usize = 4096;
 
 /// The power of two that a scene's coordinates are multiplied by.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Units {
     scale: f64,
-}
-
-/// The candidates as references at the start of a vector, which is as many
-/// longer as `spare`, in units that suit them, and what is around them.
-pub(super) fn references(
-    count: u32,
-    bounds: &(impl Fn(u32) -> Aabb + Sync),
-    spare: usize,
-) -> (Units, Vec<Reference>, Set) {
-    let mut references = Reference::blanks(count as usize + spare);
-    let set = Units::SCENE.convert(bounds, &mut references[..count as usize]);
-    let largest = set.bounds.lo.abs().max(set.bounds.hi.abs()).truncate().max_element();
-    if largest == 0.0 || (1.0 / USUAL..=USUAL).contains(&largest) {
-        return (Units::SCENE, references, set);
-    }
-    let largest = (0..count).map(|i| bounds(i).max_abs()).fold(0.0, f64::max);
-    let units = Units::of(largest);
-    let set = units.convert(bounds, &mut references[..count as usize]);
-    (units, references, set)
 }
 
 impl Units {
@@ -56,26 +29,6 @@ impl Units {
         let exponent = (largest.to_bits() >> EXPONENT_SHIFT).cast_signed() - EXPONENT_BIAS;
         let power = (-exponent).clamp(-MAX_EXPONENT, MAX_EXPONENT);
         Self { scale: f64::from_bits(((power + EXPONENT_BIAS).cast_unsigned()) << EXPONENT_SHIFT) }
-    }
-
-    /// Puts the references of the candidates from 0 on into their places.
-    fn convert(self, bounds: &(impl Fn(u32) -> Aabb + Sync), references: &mut [Reference]) -> Set {
-        let fill = |(chunk, places): (usize, &mut [Reference])| {
-            let mut set = Set::EMPTY;
-            for (k, place) in places.iter_mut().enumerate() {
-                let number = chunk * CHUNK + k;
-                let Aabb { min, max } = bounds(number as u32);
-                *place = Reference::new(
-                    [self.below(min.x), self.below(min.y), self.below(min.z)],
-                    [self.above(max.x), self.above(max.y), self.above(max.z)],
-                    number as u32,
-                );
-                set = set.with(place);
-            }
-            set
-        };
-        let chunks = references.par_chunks_mut(CHUNK).enumerate();
-        chunks.map(fill).reduce(|| Set::EMPTY, Set::union)
     }
 
     /// A point of the scene in these units, rounded where it underflows.

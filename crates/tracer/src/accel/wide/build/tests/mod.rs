@@ -10,7 +10,7 @@ use self::inputs::{Input, all_inputs, cluster_row, random_boxes};
 use super::grow::{self, Kind};
 use super::reference::Reference;
 use super::space::Space;
-use super::{Box32, Branch, Candidates, Child, MAX_DEPTH, Options, Tree, WIDTH, build};
+use super::{Box32, Branch, Candidates, Child, Gathered, MAX_DEPTH, Options, Span, Tree, WIDTH};
 use crate::Aabb;
 
 const OPTIONS: Options = Options { leaf_size: 4, extra: 0.0 };
@@ -20,8 +20,20 @@ impl Candidates for &[Aabb] {
         self.len() as u32
     }
 
-    fn bounds(&self, number: u32) -> Aabb {
-        self[number as usize]
+    fn bounds(&self, number: u32) -> Option<Aabb> {
+        Some(self[number as usize])
+    }
+}
+
+/// The tree in the scene's own lengths.
+fn build(candidates: &impl Candidates, options: Options) -> Tree {
+    super::build(Gathered::scaled(candidates, options, 1.0), candidates, options)
+}
+
+impl Tree {
+    /// How many candidates are in leaves, one in several for each of them.
+    fn item_count(&self) -> usize {
+        self.leaves.iter().map(|leaf| leaf.count as usize).sum()
     }
 }
 
@@ -46,6 +58,7 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
         leaf_size: u32,
         next_branch: u32,
         next_item: u32,
+        next_leaf: u32,
         times_found: Vec<u32>,
     }
     impl Walk<'_> {
@@ -53,7 +66,14 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
         fn branch(&mut self, index: u32, around: &mut Vec<Box32>) -> usize {
             assert_eq!(index, self.next_branch, "branches are in the order of the walk");
             self.next_branch += 1;
-            let Branch { bounds, children } = self.tree.branches[index as usize];
+            let Branch { bounds, children, first_leaf } = self.tree.branches[index as usize];
+            assert_eq!(first_leaf, self.next_leaf, "leaves are numbered branch by branch");
+            let is_leaf = |child: &&Child| matches!(child, Child::Leaf(_));
+            let its_leaves = self.tree.leaves[first_leaf as usize..].iter();
+            for (child, leaf) in children.iter().filter(is_leaf).zip(its_leaves) {
+                assert_eq!(*child, Child::Leaf(*leaf));
+                self.next_leaf += 1;
+            }
             let used = children.iter().take_while(|&&c| c != Child::None).count();
             assert!(used > 0, "branch {index} has no child");
             let mut levels = 0;
@@ -64,7 +84,7 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
                         assert!(k >= used && bounds == Box32::EMPTY, "branch {index}, child {k}");
                     }
                     Child::Branch(at) => levels = levels.max(self.branch(at, around)),
-                    Child::Leaf { first, count } => self.leaf(first, count, around),
+                    Child::Leaf(span) => self.leaf(span, around),
                 }
                 around.pop();
             }
@@ -72,11 +92,12 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
         }
 
         #[track_caller]
-        fn leaf(&mut self, first: u32, count: u32, around: &[Box32]) {
+        fn leaf(&mut self, span: Span, around: &[Box32]) {
+            let Span { first, count } = span;
             assert_eq!(first, self.next_item, "leaves are in the order of the walk");
             self.next_item += count;
             assert!((1..=self.leaf_size).contains(&count), "a leaf of {count}");
-            for &item in &self.tree.items[first as usize..(first + count) as usize] {
+            for &item in span.of(&self.tree.items) {
                 self.times_found[item as usize] += 1;
                 let inner = self.boxes[item as usize];
                 for outer in around {
@@ -86,10 +107,12 @@ fn check(tree: &Tree, boxes: &[Aabb], leaf_size: u32) -> usize {
         }
     }
     let times_found = vec![0; boxes.len()];
-    let mut walk = Walk { tree, boxes, leaf_size, next_branch: 0, next_item: 0, times_found };
+    let (next_branch, next_item, next_leaf) = (0, 0, 0);
+    let mut walk = Walk { tree, boxes, leaf_size, next_branch, next_item, next_leaf, times_found };
     let levels = walk.branch(0, &mut Vec::new());
     assert_eq!(walk.next_branch as usize, tree.branches.len());
     assert_eq!(walk.next_item as usize, tree.items.len());
+    assert_eq!(walk.next_leaf as usize, tree.leaves.len());
     assert!(walk.times_found.iter().all(|&n| n == 1), "each candidate is in one leaf");
     levels
 }
@@ -117,10 +140,13 @@ fn a_million_coincident_boxes_are_halved() {
 fn no_candidates_make_no_tree_and_one_makes_one_leaf() {
     assert_eq!(tree_of(&[], OPTIONS), Tree::default());
     let one = Aabb::around([DVec3::NEG_ONE, DVec3::splat(3.0)]);
-    let mut branch = Branch { bounds: [Box32::EMPTY; WIDTH], children: [Child::None; WIDTH] };
+    let (bounds, children) = ([Box32::EMPTY; WIDTH], [Child::None; WIDTH]);
+    let mut branch = Branch { bounds, children, first_leaf: 0 };
     branch.bounds[0] = Box32 { min: [-1.0; 3], max: [3.0; 3] };
-    branch.children[0] = Child::Leaf { first: 0, count: 1 };
-    assert_eq!(tree_of(&[one], OPTIONS), Tree { branches: vec![branch], items: vec![0] });
+    let leaf = Span { first: 0, count: 1 };
+    branch.children[0] = Child::Leaf(leaf);
+    let tree = Tree { branches: vec![branch], leaves: vec![leaf], items: vec![0] };
+    assert_eq!(tree_of(&[one], OPTIONS), tree);
 }
 
 #[test]
@@ -130,8 +156,8 @@ fn eight_far_clusters_are_the_eight_leaves_of_one_branch() {
         let tree = tree_of(&cluster_row(WIDTH, each as usize), OPTIONS);
         assert_eq!(tree.branches.len(), 1);
         for child in tree.branches[0].children {
-            let Child::Leaf { first, count } = child else { panic!("{child:?}") };
-            let clusters = tree.items[first as usize..(first + count) as usize].iter();
+            let Child::Leaf(span) = child else { panic!("{child:?}") };
+            let clusters = span.of(&tree.items).iter();
             let clusters: Vec<_> = clusters.map(|i| i / each).collect();
             assert_eq!(clusters, vec![clusters[0]; each as usize]);
         }
@@ -159,7 +185,7 @@ fn a_leaf_has_a_candidate_once_of_which_it_has_several_parts() {
         level: 0,
         misses: 0,
     };
-    assert!(matches!(grow::leaf(space), Kind::Leaf { first: 50, count: 2 }));
+    assert!(matches!(grow::leaf(space), Kind::Leaf(Span { first: 50, count: 2 })));
     assert_eq!(items[..2], [2, 7]);
 }
 
@@ -168,7 +194,7 @@ fn boxes_that_are_no_triangles_are_split_as_boxes() {
     let boxes = inputs::bars_and_cubes(3000);
     let options = Options { extra: 0.5, ..OPTIONS };
     let tree = tree_of(&boxes, options);
-    assert!(tree.items.len() > boxes.len(), "nothing was split");
+    assert!(tree.item_count() > boxes.len(), "nothing was split");
     parts::check_covers(&tree, boxes.len(), |number, rng| {
         let Aabb { min, max } = boxes[number as usize];
         min + (max - min) * DVec3::from_array([(); 3].map(|()| f64::from(rng.u8(0..=64)) / 64.0))

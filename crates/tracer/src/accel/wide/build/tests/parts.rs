@@ -17,8 +17,8 @@ impl Candidates for &[[DVec3; 3]] {
         self.len() as u32
     }
 
-    fn bounds(&self, number: u32) -> Aabb {
-        Aabb::around(self[number as usize])
+    fn bounds(&self, number: u32) -> Option<Aabb> {
+        Some(Aabb::around(self[number as usize]))
     }
 
     fn corners(&self, number: u32) -> Option<[DVec3; 3]> {
@@ -39,8 +39,8 @@ fn places(tree: &Tree, count: usize) -> (Vec<Vec<Vec<Box32>>>, usize) {
             match child {
                 Child::None => {}
                 Child::Branch(at) => pending.push((at, around)),
-                Child::Leaf { first, count } => {
-                    let items = &tree.items[first as usize..(first + count) as usize];
+                Child::Leaf(span) => {
+                    let items = span.of(&tree.items);
                     assert!(items.is_sorted_by(|a, b| a < b), "{items:?} has one twice");
                     for &item in items {
                         places[item as usize].push(around.clone());
@@ -88,7 +88,7 @@ fn every_point_of_a_split_triangle_is_found() {
     for scale in [1.0, 1.0 / 1024.0, libm::ldexp(1.0, 900), libm::ldexp(1.0, -1000)] {
         let triangles = slivers(1500, scale);
         let tree = build(&triangles.as_slice(), SPLIT);
-        let (items, count) = (tree.items.len(), triangles.len());
+        let (items, count) = (tree.item_count(), triangles.len());
         assert!(items > count, "nothing was split");
         assert!(items <= count + count * 3 / 10, "{items} items");
         check_covers(&tree, count, |i, rng| point_of(triangles[i as usize], rng));
@@ -103,7 +103,7 @@ fn the_split_tree_does_not_depend_on_the_number_of_threads() {
         pool.install(|| build(&triangles.as_slice(), SPLIT))
     };
     let one = tree(1);
-    assert!(one.items.len() > triangles.len(), "nothing was split");
+    assert!(one.item_count() > triangles.len(), "nothing was split");
     assert!(one == tree(2));
     assert!(one == tree(7));
 }
@@ -125,7 +125,13 @@ fn splits_pay_for_long_things_and_are_left_out_for_small_ones() {
     let [whole, split] = [OPTIONS, SPLIT].map(|options| cost(&build(&long.as_slice(), options)));
     assert!(split < 0.9 * whole, "{split} after {whole}");
     let points: Vec<_> = long.iter().map(|t| [t[0]; 3]).collect();
-    assert!(build(&points.as_slice(), OPTIONS) == build(&points.as_slice(), SPLIT));
+    let [whole, split] = [OPTIONS, SPLIT].map(|options| build(&points.as_slice(), options));
+    let leaves = |tree: &Tree| -> Vec<Vec<u32>> {
+        tree.leaves.iter().map(|leaf| leaf.of(&tree.items).to_vec()).collect()
+    };
+    assert!(leaves(&whole) == leaves(&split));
+    let boxes = |tree: &Tree| -> Vec<_> { tree.branches.iter().map(|b| b.bounds).collect() };
+    assert!(boxes(&whole) == boxes(&split));
 }
 
 fn all_space() -> Bounds {
