@@ -10,7 +10,7 @@ use crate::{Aabb, Ray};
 const FEWEST: usize = 1 << 12;
 /// Fewer bytes of boxes and triangles stay in a cache that is near: putting the
 /// rays in order then takes longer than it saves.
-const MUCH: usize = 8 << 20;
+const MUCH: usize = 16 << 20;
 /// How many pairs of neighbors are looked at to see whether rays are in order.
 const PAIRS: usize = 64;
 /// Rays are in order if neighbors start closer than this part of the scene, in

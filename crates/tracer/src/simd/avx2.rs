@@ -114,7 +114,13 @@ impl Simd for Avx2 {
     }
     #[inline(always)]
     fn apart<W: Work>(self, work: W) -> W::Output {
-        self.run(work)
+        #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+        #[inline(never)]
+        fn compiled<W: Work>(work: W, avx2: Avx2) -> W::Output {
+            work.run(avx2)
+        }
+        // SAFETY: `self` proves that the processor has them.
+        unsafe { compiled(work, self) }
     }
 }
 

@@ -3,10 +3,9 @@
 
 use glam::DVec3;
 
+use super::Wide;
 use super::slabs::{LARGEST, LONGEST, Slabs, TimeScale};
-use super::{Visitor, Wide};
 use crate::math::Real;
-use crate::meter::Unmetered;
 use crate::simd::{Four, Simd};
 use crate::{Interval, Ray};
 
@@ -137,27 +136,5 @@ pub(crate) fn longest<V: Four>([x, y, z]: [V; 3]) -> V {
 fn put(each: &mut Each<f32>, at: usize, four: impl Four) {
     if let Some(places) = each.as_chunks_mut::<LANES>().0.get_mut(at / LANES) {
         *places = four.to_singles();
-    }
-}
-
-impl Wide {
-    /// Shows a visitor the leaves whose boxes one ray of a bundle may meet, as
-    /// [`Wide::walk_ray`] does; in a function of its own if that is asked. Only
-    /// for a ray that is usual.
-    #[inline(always)]
-    pub(crate) fn walk_one<S: Simd, V: Visitor, const APART: bool>(
-        &self,
-        simd: S,
-        bundle: &Bundle,
-        ray: usize,
-        visitor: &mut V,
-    ) {
-        let mut t_max = bundle.t_max;
-        if APART {
-            self.walk_apart(simd, (bundle, ray), 0, &mut t_max, visitor);
-        } else {
-            let slabs = bundle.slabs(simd, ray);
-            self.walk_from(simd, &slabs, 0, &mut t_max, &Unmetered, visitor);
-        }
     }
 }

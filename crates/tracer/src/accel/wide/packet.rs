@@ -8,6 +8,7 @@ use super::bundle::{Bundle, Each, RAYS};
 use super::node::{Leaf, Node};
 use super::walk::Visitor;
 use super::{STACK, Wide};
+use crate::meter::Unmetered;
 use crate::simd::{Eight, Room, Simd};
 
 /// Rays tested together with one box.
@@ -214,8 +215,9 @@ impl Wide {
                     }
                 } else if met.count_ones() <= FEW {
                     for ray in bits(met) {
-                        let (one, t_max) = ((packet.bundle, ray), &mut packet.t_max[ray]);
-                        if self.walk_apart(simd, one, child, t_max, &mut visitors.of(ray)) {
+                        let slabs = packet.bundle.slabs(simd, ray);
+                        let (t_max, visitor) = (&mut packet.t_max[ray], &mut visitors.of(ray));
+                        if self.walk_from(simd, &slabs, child, t_max, &Unmetered, visitor) {
                             rays &= !(1 << ray);
                         }
                     }

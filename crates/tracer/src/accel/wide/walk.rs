@@ -34,21 +34,21 @@ fn pending(enter: f32, child: u32) -> Pending {
     u64::from(enter.to_bits()) << 32 | u64::from(child)
 }
 
-/// The way of one ray of a bundle from a node.
-struct WalkFrom<'a, V> {
+/// The way of one ray of a bundle.
+struct WalkOne<'a, V> {
     wide: &'a Wide,
-    ray: (&'a Bundle, usize),
-    start: u32,
-    t_max: &'a mut f32,
+    bundle: &'a Bundle,
+    ray: usize,
     visitor: &'a mut V,
 }
 
-impl<V: Visitor> Work for WalkFrom<'_, V> {
-    type Output = bool;
+impl<V: Visitor> Work for WalkOne<'_, V> {
+    type Output = ();
     #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> bool {
-        let Self { wide, ray: (bundle, ray), start, t_max, visitor } = self;
-        wide.walk_from(simd, &bundle.slabs(simd, ray), start, t_max, &Unmetered, visitor)
+    fn run<S: Simd>(self, simd: S) {
+        let Self { wide, bundle, ray, visitor } = self;
+        let (slabs, mut t_max) = (bundle.slabs(simd, ray), bundle.t_max);
+        wide.walk_from(simd, &slabs, 0, &mut t_max, &Unmetered, visitor);
     }
 }
 
@@ -106,17 +106,18 @@ impl Wide {
         }
     }
 
-    /// [`Wide::walk_from`] in a function of its own.
+    /// Shows a visitor the leaves whose boxes one ray of a bundle may meet, as
+    /// [`Wide::walk_ray`] does. Only for a ray that is usual. A function of its
+    /// own, which has all registers for its loop.
     #[inline(always)]
-    pub(super) fn walk_apart<S: Simd, V: Visitor>(
+    pub(crate) fn walk_one<S: Simd>(
         &self,
         simd: S,
-        ray: (&Bundle, usize),
-        start: u32,
-        t_max: &mut f32,
-        visitor: &mut V,
-    ) -> bool {
-        simd.apart(WalkFrom { wide: self, ray, start, t_max, visitor })
+        bundle: &Bundle,
+        ray: usize,
+        visitor: &mut impl Visitor,
+    ) {
+        simd.apart(WalkOne { wide: self, bundle, ray, visitor });
     }
 
     /// The child whose box is entered first; the others of `met` are put on the

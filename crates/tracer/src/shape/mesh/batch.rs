@@ -200,7 +200,7 @@ fn closest_of_ready<S: Simd, P: Precision, T: Number, const COHERENT: bool>(
         }
         visitor.sight = Sight::new(simd, &sights[k]);
         *visitor.best = Best::nothing(batch.range);
-        batch.wide.walk_one::<S, _, COHERENT>(simd, bundle, k, &mut visitor);
+        batch.wide.walk_one(simd, bundle, k, &mut visitor);
         known[k] = visitor.best.known;
     }
 }
@@ -253,7 +253,7 @@ fn any_of_ready<S: Simd, P: Precision, T: Number, const COHERENT: bool>(
         }
         visitor.sight = Sight::new(simd, &sights[k]);
         *visitor.found = None;
-        batch.wide.walk_one::<S, _, COHERENT>(simd, bundle, k, &mut visitor);
+        batch.wide.walk_one(simd, bundle, k, &mut visitor);
         found[k] = *visitor.found;
     }
 }

@@ -163,20 +163,29 @@ impl<'a, S: Simd> Winners<'a, S> {
         let highest = edges.u.max(edges.v).max(edges.w);
         let sure = !(lowest.is_at_most(zero) & zero.is_at_most(highest));
         let is_drawn = !mean.drawn[0].is_at_most(mean.drawn[1]);
-        waiting.t = (mean.t * simd.load_four_long(&waiting.scale)).to_array();
+        let t = mean.t * simd.load_four_long(&waiting.scale);
+        waiting.t = t.to_array();
         let [beta, gamma] = mean.barycentric;
         waiting.barycentric = [beta.to_array(), gamma.to_array()];
-        for lane in 0..waiting.count.min(LANES) {
+        let (lo, hi) = (simd.four_long(self.range.lo), simd.four_long(self.range.hi));
+        let inside = !t.is_at_most(lo) & lo.is_at_most(t) & t.is_at_most(hi) & !hi.is_at_most(t);
+        let count = waiting.count.min(LANES);
+        for lane in 0..count {
+            self.contacts[waiting.ray[lane]] = Some(waiting.contact(lane));
+        }
+        // The few for which that was not all, without a branch for each other one.
+        let mut rest = !(sure & inside & !is_drawn) & ((1 << count) - 1);
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize % LANES;
+            rest &= rest - 1;
             let waiting = &self.waiting;
-            if sure >> lane & 1 == 0 {
-                self.contacts[waiting.ray[lane]] = self.alone(waiting, lane);
-            } else if is_drawn >> lane & 1 == 1 {
+            if (sure & is_drawn) >> lane & 1 == 1 {
                 self.drawn.take(waiting, lane);
                 if self.drawn.count == LANES {
                     self.simd.apart(FindOutDrawn(self));
                 }
             } else {
-                self.contacts[waiting.ray[lane]] = self.settled(waiting, lane);
+                self.contacts[waiting.ray[lane]] = self.alone(waiting, lane);
             }
         }
         self.waiting.count = 0;
