@@ -20,7 +20,7 @@ const CHUNK: usize = 1 << 12;
 pub(super) const SHARED: usize = 1 << 14;
 /// Added to a number below 2^22 it leaves the nearest whole number in the last
 /// bits of the sum: 1.5 * 2^23.
-pub(super) const TO_INTEGER: f32 = 12_582_912.0;
+const TO_INTEGER: f32 = 12_582_912.0;
 /// Centers closer together than this share of the units count as one: the
 /// quotient that tells bins apart stays in the range of `f32`.
 const ONE_PLACE: f32 = 1e-30;

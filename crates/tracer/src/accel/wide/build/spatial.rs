@@ -7,7 +7,7 @@
 use glam::{DVec3, Vec4};
 use rayon::prelude::*;
 
-use super::bins::{SHARED, TO_INTEGER};
+use super::bins::SHARED;
 use super::bounds::Bounds;
 use super::clip::{slab, triangle_between};
 use super::partition::Set;
@@ -15,12 +15,8 @@ use super::reference::Reference;
 use super::units::Units;
 use crate::simd::{Level, Simd, Work};
 
-/// Slabs per axis that planes are looked for between.
+/// Slabs that planes are looked for between.
 const SLABS: usize = 16;
-/// The last slab.
-const LAST: Vec4 = Vec4::splat(SLABS as f32 - 1.0);
-/// Less than this, and the nearest whole number is the one below.
-const HALF: f32 = 0.5;
 /// References of large sets are put into slabs by this many at a time.
 const CHUNK: usize = 1 << 12;
 
@@ -53,47 +49,45 @@ impl Knife<'_> {
     }
 }
 
-/// What is in the slabs of one number along each axis.
+/// What is in one of the slabs.
 #[derive(Clone, Copy)]
 struct Slab {
-    bounds: [Bounds; 3],
-    /// How many references start in each, and how many end.
-    starts: [u32; 3],
-    ends: [u32; 3],
+    bounds: Bounds,
+    /// How many references start in it, and how many end.
+    starts: u32,
+    ends: u32,
 }
 
-impl Slab {
-    const EMPTY: Self = Self { bounds: [Bounds::EMPTY; 3], starts: [0; 3], ends: [0; 3] };
-}
-
-/// The slabs of a set along each axis.
+/// The slabs of a set along an axis.
 struct Slabs {
-    base: Vec4,
-    step: Vec4,
-    per_step: Vec4,
+    axis: usize,
+    base: f32,
+    step: f32,
+    per_step: f32,
     all: [Slab; SLABS],
 }
 
 impl Slabs {
+    /// Those along the longest axis. A plane across another one is hardly ever
+    /// better, and looking for it takes as long again.
     fn new(around: Bounds) -> Self {
-        let step = (around.hi - around.lo) / SLABS as f32;
-        // Along an axis without a width all is in the first slab.
-        let is_wide = step.cmpgt(Vec4::ZERO);
-        let per_step = Vec4::select(is_wide, Vec4::ONE / step, Vec4::ZERO);
-        let per_step = per_step.min(Vec4::splat(f32::MAX)).with_w(0.0);
-        Self { base: around.lo, step, per_step, all: [Slab::EMPTY; SLABS] }
+        let widths = around.hi - around.lo;
+        let axis = (1..3).fold(0, |axis, k| if widths[k] > widths[axis] { k } else { axis });
+        let step = widths[axis] / SLABS as f32;
+        let empty = Slab { bounds: Bounds::EMPTY, starts: 0, ends: 0 };
+        Self { axis, base: around.lo[axis], step, per_step: 1.0 / step, all: [empty; SLABS] }
     }
 
     /// The plane before a slab.
-    fn plane(&self, slab: usize, axis: usize) -> f32 {
-        self.base[axis] + slab as f32 * self.step[axis]
+    #[inline(always)]
+    fn plane(&self, slab: usize) -> f32 {
+        self.base + slab as f32 * self.step
     }
 
-    /// In which slab a point is along each axis, in the last bits of each lane.
     #[inline(always)]
-    fn place(&self, point: Vec4) -> Vec4 {
-        let place = (point - self.base) * self.per_step - Vec4::splat(HALF);
-        place.max(Vec4::ZERO).min(LAST) + Vec4::splat(TO_INTEGER)
+    fn slab_of(&self, x: f32) -> usize {
+        // Saturating, and 0 for NaN.
+        (((x - self.base) * self.per_step) as usize).min(SLABS - 1)
     }
 
     /// Puts a reference into the slabs that its box is in. That the part of a
@@ -102,20 +96,17 @@ impl Slabs {
     #[inline(always)]
     fn add(&mut self, reference: &Reference) {
         let bounds = reference.bounds();
-        let (starts, ends) = (slabs_of(self.place(bounds.lo)), slabs_of(self.place(bounds.hi)));
-        for axis in 0..3 {
-            let (start, end) = (starts[axis], ends[axis]);
-            self.all[start].starts[axis] += 1;
-            self.all[end].ends[axis] += 1;
-            if start == end {
-                let slot = &mut self.all[start].bounds[axis];
-                *slot = slot.union(bounds);
-            } else {
-                for k in start..=end {
-                    let planes = [self.plane(k, axis), self.plane(k + 1, axis)];
-                    let slot = &mut self.all[k].bounds[axis];
-                    *slot = slot.union(slab(bounds, axis, planes));
-                }
+        let [start, end] = [bounds.lo[self.axis], bounds.hi[self.axis]].map(|x| self.slab_of(x));
+        self.all[start].starts += 1;
+        self.all[end].ends += 1;
+        if start == end {
+            let slot = &mut self.all[start].bounds;
+            *slot = slot.union(bounds);
+        } else {
+            for k in start..=end {
+                let part = slab(bounds, self.axis, [self.plane(k), self.plane(k + 1)]);
+                let slot = &mut self.all[k].bounds;
+                *slot = slot.union(part);
             }
         }
     }
@@ -123,34 +114,31 @@ impl Slabs {
     /// All of both, which are slabs of one set.
     fn union(mut self, other: &Self) -> Self {
         for (slab, other) in self.all.iter_mut().zip(&other.all) {
-            for axis in 0..3 {
-                slab.bounds[axis] = slab.bounds[axis].union(other.bounds[axis]);
-                slab.starts[axis] += other.starts[axis];
-                slab.ends[axis] += other.ends[axis];
-            }
+            slab.bounds = slab.bounds.union(other.bounds);
+            slab.starts += other.starts;
+            slab.ends += other.ends;
         }
         self
     }
 
-    /// The plane that costs least along an axis.
-    fn best_plane(&self, axis: usize, block_shift: u32) -> Option<Plane> {
+    fn best_plane(&self, block_shift: u32) -> Option<Plane> {
         let blocks = |n: u32| n.div_ceil(1 << block_shift) as f32;
         let mut right_costs = [0.0; SLABS];
         let (mut bounds, mut count) = (Bounds::EMPTY, 0);
         for k in (1..SLABS).rev() {
-            bounds = bounds.union(self.all[k].bounds[axis]);
-            count += self.all[k].ends[axis];
+            bounds = bounds.union(self.all[k].bounds);
+            count += self.all[k].ends;
             right_costs[k] = bounds.half_area() * blocks(count);
         }
         let mut best: Option<Plane> = None;
         let (mut bounds, mut count) = (Bounds::EMPTY, 0);
         for (k, slab) in (1..SLABS).zip(&self.all) {
-            bounds = bounds.union(slab.bounds[axis]);
-            count += slab.starts[axis];
+            bounds = bounds.union(slab.bounds);
+            count += slab.starts;
             // NaN where a side is empty.
             let cost = bounds.half_area() * blocks(count) + right_costs[k];
             if cost < best.map_or(f32::INFINITY, |b| b.cost) {
-                best = Some(Plane { axis, at: self.plane(k, axis), cost });
+                best = Some(Plane { axis: self.axis, at: self.plane(k), cost });
             }
         }
         best
@@ -173,14 +161,7 @@ impl Work for Fill<'_> {
     }
 }
 
-/// The slabs of which places are the last bits.
-#[inline(always)]
-fn slabs_of(places: Vec4) -> [usize; 3] {
-    let [x, y, z, _] = places.to_array();
-    [x, y, z].map(|place| place.to_bits() as usize % SLABS)
-}
-
-/// The plane that costs least.
+/// The plane across the longest axis that costs least.
 pub(super) fn best_plane(
     level: Level,
     set: &Set,
@@ -198,8 +179,7 @@ pub(super) fn best_plane(
         let empty = || Slabs::new(set.bounds);
         references.par_chunks(CHUNK).map(fill).reduce(empty, |a, b| a.union(&b))
     };
-    let planes = (0..3).filter_map(|axis| slabs.best_plane(axis, block_shift));
-    planes.reduce(|best, plane| if plane.cost < best.cost { plane } else { best })
+    slabs.best_plane(block_shift)
 }
 
 /// Puts the parts on the left of the plane at the start of `to`, and those on
