@@ -72,8 +72,7 @@ impl Bundle {
             & reach.is_at_most(simd.four_long(wide.farthest));
         self.usual = self.usual & !(ALL << at) | usual << at;
         let mut widest = simd.four_long(0.0);
-        for axis in 0..3 {
-            let (o, d) = (origin[axis], rays.direction[axis]);
+        for (axis, (o, d)) in origin.into_iter().zip(rays.direction).enumerate() {
             let recip = simd.four_long(1.0) / d;
             let recip = recip.min(simd.four_long(LARGEST)).max(simd.four_long(-LARGEST));
             let extent = simd.four_long(wide.extent[axis]);

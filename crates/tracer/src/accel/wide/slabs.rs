@@ -130,15 +130,12 @@ impl<S: Simd> Slabs<S> {
         let unit = power_of_two_below(longest).filter(|_| reach < wide.farthest);
         let time = TimeScale([unit.unwrap_or(1.0), wide.scale]);
         let t_min = time.down(range.lo);
-        let slabs = match unit {
-            Some(unit) => {
-                let ray = Ray { direction: ray.direction / unit, ..*ray };
-                Self::usual(simd, wide, &ray, reach, t_min)
-            }
-            None => {
-                let (near, far) = ([f32::NEG_INFINITY; 3], [f32::INFINITY; 3]);
-                Self::of(simd, [0.0; 3], near, far, t_min)
-            }
+        let slabs = if let Some(unit) = unit {
+            let ray = Ray { direction: ray.direction / unit, ..*ray };
+            Self::usual(simd, wide, &ray, reach, t_min)
+        } else {
+            let (near, far) = ([f32::NEG_INFINITY; 3], [f32::INFINITY; 3]);
+            Self::of(simd, [0.0; 3], near, far, t_min)
         };
         (slabs, time)
     }
