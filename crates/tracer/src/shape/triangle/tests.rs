@@ -187,3 +187,23 @@ fn corners_on_a_line_are_refused_and_never_hit() {
     let line = [DVec3::ZERO, DVec3::X, 2.0 * DVec3::X];
     assert_eq!(Shear::new(&ray).intersect(line, AHEAD), None);
 }
+
+#[test]
+fn whether_there_is_a_normal_is_known_before_it_is() {
+    let mut any = fastrand::Rng::with_seed(31);
+    let (mut with, mut without) = (0, 0);
+    for case in 0..100_000 {
+        // Whole numbers of few bits, so that many lie on a line, at scales at
+        // which products are usual, underflow and overflow.
+        let scale = libm::ldexp(1.0, [0, -40, -540, -1060, 190, 1000][case % 6]);
+        let mut whole = || DVec3::from_array([(); 3].map(|()| f64::from(any.i8(-3..=3))));
+        let (a, way, other) = (whole(), whole(), whole());
+        // Three of four are next to a line, or on it.
+        let nudge = [0.0, f64::EPSILON, 1e-9, 1.0][case / 6 % 4];
+        let corners = [a, a + way, a - 2.0 * way + nudge * other].map(|p| p * scale);
+        let expected = normal(corners).is_some();
+        assert_eq!(has_normal(corners), expected, "{corners:?}");
+        *(if expected { &mut with } else { &mut without }) += 1;
+    }
+    assert!(with > 10_000 && without > 10_000, "{with} with, {without} without");
+}

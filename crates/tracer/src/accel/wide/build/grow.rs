@@ -9,7 +9,7 @@ use super::costs::{Costs, Shares};
 use super::partition::{Partition, Set, halve};
 use super::reference::Reference;
 use super::space::Space;
-use super::spatial::{Knife, best_plane, cut_along};
+use super::spatial::{Knife, cut_along, first_plane};
 use crate::simd::Level;
 
 /// Below this many levels sets are halved by count.
@@ -214,10 +214,8 @@ impl Grower<'_> {
             return None;
         }
         space.misses += 1;
-        let plane = best_plane(self.level, set, space.set(), self.block_shift)?;
-        if !(plane.cost < GAIN * cut.cost) {
-            return None;
-        }
+        let limit = GAIN * cut.cost;
+        let plane = first_plane(self.level, set, space.set(), self.block_shift, limit)?;
         let (from, to) = space.set_and_room();
         let cut = cut_along(plane, from, to, &self.knife)?;
         space.misses = 0;

@@ -68,12 +68,8 @@ struct Slabs {
 }
 
 impl Slabs {
-    /// Those along the longest axis. A plane across another one is hardly ever
-    /// better, and looking for it takes as long again.
-    fn new(around: Bounds) -> Self {
-        let widths = around.hi - around.lo;
-        let axis = (1..3).fold(0, |axis, k| if widths[k] > widths[axis] { k } else { axis });
-        let step = widths[axis] / SLABS as f32;
+    fn new(around: Bounds, axis: usize) -> Self {
+        let step = (around.hi[axis] - around.lo[axis]) / SLABS as f32;
         let empty = Slab { bounds: Bounds::EMPTY, starts: 0, ends: 0 };
         Self { axis, base: around.lo[axis], step, per_step: 1.0 / step, all: [empty; SLABS] }
     }
@@ -161,22 +157,42 @@ impl Work for Fill<'_> {
     }
 }
 
-/// The plane across the longest axis that costs least.
-pub(super) fn best_plane(
+/// The plane that costs least across the longest axis, or across a shorter one if
+/// none across a longer one costs less than `limit`; `None` if none does at all.
+///
+/// That another axis has an even better one is rare, and looking there takes as
+/// long again.
+pub(super) fn first_plane(
     level: Level,
     set: &Set,
     references: &[Reference],
     block_shift: u32,
+    limit: f32,
+) -> Option<Plane> {
+    let mut axes = [0, 1, 2];
+    let width = |axis: usize| set.bounds.hi[axis] - set.bounds.lo[axis];
+    axes.sort_by(|&a, &b| width(b).total_cmp(&width(a)));
+    let plane = |axis| best_plane(level, set.bounds, axis, references, block_shift);
+    axes.into_iter().filter_map(plane).find(|plane| plane.cost < limit)
+}
+
+/// The plane across an axis that costs least.
+fn best_plane(
+    level: Level,
+    around: Bounds,
+    axis: usize,
+    references: &[Reference],
+    block_shift: u32,
 ) -> Option<Plane> {
     let fill = |references: &[Reference]| {
-        let mut slabs = Slabs::new(set.bounds);
+        let mut slabs = Slabs::new(around, axis);
         level.run(Fill { slabs: &mut slabs, references });
         slabs
     };
     let slabs = if references.len() < SHARED {
         fill(references)
     } else {
-        let empty = || Slabs::new(set.bounds);
+        let empty = || Slabs::new(around, axis);
         references.par_chunks(CHUNK).map(fill).reduce(empty, |a, b| a.union(&b))
     };
     slabs.best_plane(block_shift)

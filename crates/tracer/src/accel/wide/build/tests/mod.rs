@@ -223,3 +223,55 @@ fn the_tree_does_not_depend_on_the_order_of_the_candidates() {
     let (straight, mixed) = (tree_of(&boxes, OPTIONS), tree_of(&shuffled, OPTIONS));
     assert!(straight.branches == mixed.branches);
 }
+
+/// Boxes of which those of some numbers are not there.
+struct Sparse<'a>(&'a [Aabb], fn(u32) -> bool);
+
+impl Candidates for Sparse<'_> {
+    fn count(&self) -> u32 {
+        self.0.len() as u32
+    }
+    fn bounds(&self, number: u32) -> Option<Aabb> {
+        self.1(number).then(|| self.0[number as usize])
+    }
+}
+
+#[test]
+fn candidates_that_are_not_there_are_passed_over() {
+    // More than are looked at together, and a run of those that is empty.
+    let boxes = random_boxes(20_000, 8);
+    let cases: [fn(u32) -> bool; 4] =
+        [|i| i % 3 != 0, |i| !(3000..13_000).contains(&i), |i| i == 19_999, |_| false];
+    for is_there in cases {
+        let sparse = Sparse(&boxes, is_there);
+        let numbers: Vec<u32> = (0..boxes.len() as u32).filter(|&i| is_there(i)).collect();
+        let gathered = Gathered::scaled(&sparse, OPTIONS, 1.0);
+        assert_eq!(gathered.numbers(), numbers);
+        let dense: Vec<_> = numbers.iter().map(|&i| boxes[i as usize]).collect();
+        assert_eq!(gathered.bounds, dense.iter().copied().fold(Aabb::EMPTY, Aabb::union));
+        let (tree, expected) = (build(&sparse, OPTIONS), tree_of(&dense, OPTIONS));
+        assert!(tree.branches == expected.branches && tree.leaves == expected.leaves);
+        let found: Vec<u32> = expected.items.iter().map(|&i| numbers[i as usize]).collect();
+        assert!(tree.items == found);
+    }
+}
+
+#[test]
+fn a_far_vertex_of_no_triangle_changes_nothing() {
+    struct Far<'a>(&'a [Aabb]);
+    impl Candidates for Far<'_> {
+        fn count(&self) -> u32 {
+            self.0.count()
+        }
+        fn bounds(&self, number: u32) -> Option<Aabb> {
+            self.0.bounds(number)
+        }
+        fn largest(&self) -> f64 {
+            1e30
+        }
+    }
+    let boxes = random_boxes(100, 9);
+    let near = Gathered::new(&boxes.as_slice(), OPTIONS);
+    let far = Gathered::new(&Far(&boxes), OPTIONS);
+    assert_eq!((near.scale, near.bounds), (far.scale, far.bounds));
+}
