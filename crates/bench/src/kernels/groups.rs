@@ -14,13 +14,13 @@ const MANY: usize = 1024;
 
 pub(super) fn all() -> Result<Vec<Kernel>, String> {
     let mut all = of_group("group of 1024 spheres", &inputs::spheres(MANY)?);
-    let made: [(_, fn() -> Result<Vec<Shape>, Refused>); 3] = [
-        ("group of 1024 boxes, floor", city),
-        ("group of 600 rods", rods),
-        ("group of 8 shapes", mixed),
+    let made = [
+        ("group of 1024 boxes, floor", city()),
+        ("group of 600 rods", rods()),
+        ("group of 8 shapes", mixed()),
     ];
-    for (name, make) in made {
-        let shapes = make().map_err(|refused| format!("{name}: {refused}"))?;
+    for (name, shapes) in made {
+        let shapes = shapes.map_err(|refused| format!("{name}: {refused}"))?;
         all.extend(of_group(name, &group(shapes)));
     }
     Ok(all)
@@ -105,8 +105,8 @@ mod tests {
 
     #[test]
     fn rays_hit_and_miss_every_group() {
-        for (make, count) in [(city as fn() -> _, MANY + 1), (rods, 600), (mixed, 8)] {
-            let shapes: Vec<Shape> = make().unwrap();
+        for (shapes, count) in [(city(), MANY + 1), (rods(), 600), (mixed(), 8)] {
+            let shapes = shapes.unwrap();
             assert_eq!(shapes.len(), count);
             let group = group(shapes);
             let rays = inputs::rays(CASES);
