@@ -11,9 +11,12 @@ use super::engine::{Engine, Job};
 use super::rays::{Query, RaySet};
 use crate::meshes::TriangleMesh;
 
-/// So many rays are handed over at once, as a renderer does with a tile of
-/// 32 x 32 pixels.
-const BATCH: usize = 1024;
+/// So many rays that run beside each other are handed over at once, as a renderer
+/// does with a tile of 32 x 32 pixels.
+const TILE_BATCH: usize = 1 << 10;
+/// And so many that go anywhere, as one does that sends a picture's bounces wave
+/// by wave.
+const WAVE: usize = 1 << 18;
 /// Rays beside each other come in tiles of this many pixels in each direction.
 const TILE: u32 = 8;
 
@@ -142,6 +145,10 @@ impl Engine for Goldray {
 
     fn trace(&mut self) {
         let (mesh, range, coherence) = (&*self.mesh, self.range, self.coherence);
+        let size = match coherence {
+            Coherence::Coherent => TILE_BATCH,
+            Coherence::Incoherent => WAVE,
+        };
         match (self.query, self.is_single) {
             (Query::Closest, true) => {
                 for (ray, contact) in self.rays.iter().zip(&mut self.contacts) {
@@ -154,13 +161,13 @@ impl Engine for Goldray {
                 }
             }
             (Query::Closest, false) => {
-                let batches = self.rays.chunks(BATCH).zip(self.contacts.chunks_mut(BATCH));
+                let batches = self.rays.chunks(size).zip(self.contacts.chunks_mut(size));
                 for (rays, contacts) in batches {
                     mesh.intersect_batch(rays, range, coherence, contacts);
                 }
             }
             (Query::Any, false) => {
-                let batches = self.rays.chunks(BATCH).zip(self.occluded.chunks_mut(BATCH));
+                let batches = self.rays.chunks(size).zip(self.occluded.chunks_mut(size));
                 for (rays, occluded) in batches {
                     mesh.occludes_batch(rays, range, coherence, occluded);
                 }
