@@ -27,7 +27,7 @@ pub enum Skipping {
 
 /// Up to this many members that a tile shows are tested one by one, which is
 /// sooner done than asking which of them a ray meets: it meets most.
-const FEW: u32 = 4;
+const FEW: u32 = 2;
 
 /// What is done for a picture, and what is not.
 #[derive(Debug, Clone, PartialEq)]
