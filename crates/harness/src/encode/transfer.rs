@@ -32,7 +32,14 @@ impl Transfer {
         };
         // Between 0 and plus infinity the bits are ordered as the values are.
         let bits = if c > 0.0 { c.to_bits() } else { 0 };
-        thresholds.partition_point(|&threshold| threshold <= bits) as u8
+        // How many thresholds are at most that, a bit of the count after the
+        // other, without a branch that depends on the value.
+        let mut code = 0_u8;
+        for bit in (0..8).rev() {
+            let more = code | 1 << bit;
+            code = if thresholds[usize::from(more) - 1] <= bits { more } else { code };
+        }
+        code
     }
 }
 
