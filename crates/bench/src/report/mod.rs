@@ -23,7 +23,8 @@ const DOCUMENT: &str = "docs/performance.md";
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
     /// The folder with trace.json, image.json, kernels.json, check.json, scaling.json,
-    /// skipping.json and error.json, as far as they are there
+    /// skipping.json and error.json, as far as they are there, and with the plots
+    /// that were drawn beside them
     #[arg(long, value_name = "DIR")]
     from: PathBuf,
     /// The document; plots go into a folder of its name beside it
@@ -102,7 +103,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, String> {
     };
     let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("performance").to_owned();
     let files = read(&args.from)?;
-    let (text, plots) = document(&stem, &Machine::here(), &files);
+    let drawn = drawn(&args.from)?;
+    let (text, plots) = document(&stem, &Machine::here(), &files, &drawn);
     let folder = path.with_extension("");
     for (name, svg) in &plots {
         place::write(&folder.join(name), svg)?;
@@ -135,11 +137,18 @@ fn read(folder: &Path) -> Result<Vec<Option<Value>>, String> {
     Ok(files)
 }
 
-/// The document, and its plots by the names of their files.
+/// The plot that each bench has drawn beside its file, where there is one.
+fn drawn(folder: &Path) -> Result<Vec<Option<String>>, String> {
+    PARTS.iter().map(|part| place::text(&folder.join(format!("{}.svg", part.name)))).collect()
+}
+
+/// The document, and its plots by the names of their files: those of the sections,
+/// or what the bench itself has drawn.
 fn document(
     stem: &str,
     machine: &Machine,
     files: &[Option<Value>],
+    drawn: &[Option<String>],
 ) -> (String, Vec<(String, String)>) {
     let mut text = format!(
         "# Performance\n\n\
@@ -151,7 +160,7 @@ fn document(
         machine.sentence()
     );
     let mut plots = Vec::new();
-    for (part, file) in PARTS.iter().zip(files) {
+    for ((part, file), drawn) in PARTS.iter().zip(files).zip(drawn) {
         text.extend(["\n## ", part.heading, "\n\n"]);
         let Some(file) = file else {
             text.extend(["Not measured here: `", part.command, "`.\n"]);
@@ -162,7 +171,10 @@ fn document(
             Some(machine) => text.extend([" on ", &machine, ".\n"]),
             None => text.push_str(".\n"),
         }
-        let section = (part.section)(file);
+        let mut section = (part.section)(file);
+        if let (true, Some(svg)) = (section.plots.is_empty(), drawn) {
+            section.plots.push((format!("{}.svg", part.name), svg.clone()));
+        }
         for (name, _) in &section.plots {
             let what = name.trim_end_matches(".svg").replace('-', " ");
             text.extend(["\n![", &what, "](", stem, "/", name, ")\n"]);

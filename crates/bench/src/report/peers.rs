@@ -5,7 +5,6 @@ use serde_json::Value;
 
 use super::Section;
 use super::table::{distinct, geometric_mean, number, rows, shown, spread, table, text};
-use crate::plot::{self, Line, Panel, Plot};
 
 /// What our engines' names begin with.
 const OURS: &str = "goldray";
@@ -90,57 +89,45 @@ fn ratios(all: &[Value]) -> String {
     table(&["times as many rays a second", "geometric mean", "lowest", "of"], &lines)
 }
 
-/// Whole pictures: a panel for each scene, and the seconds to each error.
+/// Whole pictures: for each scene the seconds to each error, and how many times
+/// goldray's adaptive samples that is.
 pub(super) fn image(file: &Value) -> Section {
-    let scenes = rows(file, "scenes");
-    let mut text_of_all = String::new();
-    let mut panels = Vec::new();
-    for scene in scenes {
+    let (reached, ratios) = (rows(file, "reached"), rows(file, "ratios"));
+    let mut said = String::new();
+    for scene in rows(file, "scenes") {
         let name = text(scene, "scene");
-        let points = rows(scene, "points");
-        let line = |engine: &String| {
-            let here = points.iter().filter(|point| text(point, "engine") == *engine);
-            let mut points: Vec<_> = here
-                .filter_map(|point| Some((number(point, "seconds")?, number(point, "rmse")?)))
-                .collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
-            Line { name: engine.clone(), points }
+        let of = |all: &[Value]| -> Vec<Value> {
+            all.iter().filter(|row| text(row, "scene") == name).cloned().collect()
         };
-        panels.push(Panel {
-            title: name.clone(),
-            x: "seconds".to_owned(),
-            y: "RMSE".to_owned(),
-            lines: distinct(points, "engine").iter().map(line).collect(),
-        });
-        text_of_all.push_str(&to_rmse(&name, rows(scene, "to_rmse")));
+        let (reached, ratios) = (of(reached), of(ratios));
+        let mut errors = distinct(&reached, "rmse");
+        let size = |error: &String| error.parse().unwrap_or(0.0_f64);
+        errors.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        let line = |engine: &String| {
+            let cell = |error: &String| {
+                let is_it =
+                    |row: &&Value| text(row, "engine") == *engine && text(row, "rmse") == *error;
+                seconds(reached.iter().find(is_it), ratios.iter().find(is_it))
+            };
+            [engine.clone()].into_iter().chain(errors.iter().map(cell)).collect()
+        };
+        let lines: Vec<Vec<String>> = distinct(&reached, "engine").iter().map(line).collect();
+        let title = format!("{name}: seconds to RMSE");
+        let heads: Vec<_> =
+            std::iter::once(title.as_str()).chain(errors.iter().map(String::as_str)).collect();
+        said.push_str(&table(&heads, &lines));
     }
-    let note = "lower left is better; the truth of each scene is its own engine's or a formula";
-    let title = "whole pictures: seconds against error".to_owned();
-    let plot = Plot { title, note: note.to_owned(), panels };
-    let plots = if scenes.is_empty() {
-        Vec::new()
-    } else {
-        vec![("time-against-error-of-pictures.svg".to_owned(), plot::svg(&plot))]
-    };
-    Section { text: text_of_all, plots }
+    Section { text: said, plots: Vec::new() }
 }
 
-/// A line for each engine, a column for each error.
-fn to_rmse(scene: &str, all: &[Value]) -> String {
-    let errors = distinct(all, "rmse");
-    let line = |engine: &String| {
-        let cell = |error: &String| {
-            let is_it =
-                |row: &&Value| text(row, "engine") == *engine && text(row, "rmse") == *error;
-            shown(all.iter().find(is_it).and_then(|row| number(row, "seconds")))
-        };
-        [engine.clone()].into_iter().chain(errors.iter().map(cell)).collect()
-    };
-    let lines: Vec<Vec<String>> = distinct(all, "engine").iter().map(line).collect();
-    let title = format!("{scene}: seconds to RMSE");
-    let heads: Vec<_> =
-        std::iter::once(title.as_str()).chain(errors.iter().map(String::as_str)).collect();
-    table(&heads, &lines)
+/// The seconds to an error, more than which they are where it was not reached, and
+/// how many times ours that is.
+fn seconds(reached: Option<&Value>, ratio: Option<&Value>) -> String {
+    let Some(reached) = reached else { return "-".to_owned() };
+    let least = if text(reached, "how") == "not within" { "over " } else { "" };
+    let times = ratio.and_then(|row| number(row, "times"));
+    let times = times.map_or_else(String::new, |times| format!(", {}x", shown(Some(times))));
+    format!("{least}{}{times}", shown(number(reached, "seconds")))
 }
 
 /// Kernels on the frontier of time and error, and goldray's.

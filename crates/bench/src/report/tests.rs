@@ -11,6 +11,9 @@ fn files(of: &[(&str, Value)]) -> Vec<Option<Value>> {
     PARTS.iter().map(find).collect()
 }
 
+/// No plot was drawn.
+const NONE: [Option<String>; PARTS.len()] = [const { None }; PARTS.len()];
+
 fn trace_file() -> Value {
     let row = |engine: &str, query: &str, rate: f64, wrong: u32| {
         json!({"scene": "bunny", "rays": "primary", "query": query, "engine": engine,
@@ -33,7 +36,7 @@ fn trace_file() -> Value {
 
 #[test]
 fn what_is_missing_is_said_not_to_be_measured() {
-    let (text, plots) = document("performance", &Machine::here(), &files(&[]));
+    let (text, plots) = document("performance", &Machine::here(), &files(&[]), &NONE);
     assert_eq!(text.matches("Not measured here: `cargo xtask bench ").count(), PARTS.len());
     assert!(plots.is_empty());
     for part in &PARTS {
@@ -43,7 +46,8 @@ fn what_is_missing_is_said_not_to_be_measured() {
 
 #[test]
 fn rays_are_compared_engine_by_engine() {
-    let (text, _) = document("performance", &Machine::here(), &files(&[("trace", trace_file())]));
+    let (text, _) =
+        document("performance", &Machine::here(), &files(&[("trace", trace_file())]), &NONE);
     assert!(text.contains("`cargo xtask bench trace` on a box of 2 threads."), "{text}");
     // The geometric mean of 1.2 and 0.8.
     let ratios = "| goldray-accurate / embree4-avx2 | 0.98 | 0.80 (bunny primary any) | 2 |";
@@ -55,28 +59,31 @@ fn rays_are_compared_engine_by_engine() {
 }
 
 #[test]
-fn pictures_have_a_plot_and_a_table() {
-    let file = json!({"schema": 1, "scenes": [{"scene": "nine balls",
-        "points": [
-            {"engine": "goldray", "setting": "uniform 4", "seconds": 0.02, "rmse": 1e-2},
-            {"engine": "goldray", "setting": "uniform 16", "seconds": 0.08, "rmse": 3e-3},
-            {"engine": "povray", "setting": "+A0.1", "seconds": 0.4, "rmse": 2e-2}],
-        "to_rmse": [
-            {"engine": "goldray", "rmse": 0.01, "seconds": 0.02},
-            {"engine": "povray", "rmse": 0.01, "seconds": null}]}]});
-    let (text, plots) = document("performance", &Machine::here(), &files(&[("image", file)]));
-    assert_eq!(plots.len(), 1);
-    assert!(plots[0].1.contains("nine balls") && plots[0].1.contains("povray"));
-    assert!(text.contains(&format!("(performance/{})", plots[0].0)), "{text}");
-    assert!(text.contains("| nine balls: seconds to RMSE | 0.01 |"), "{text}");
-    assert!(text.contains("| povray | - |"), "{text}");
+fn pictures_have_a_table_and_the_plot_that_was_drawn() {
+    let reached = |engine: &str, rmse: f64, seconds: f64, how: &str| json!({"scene": "nine balls", "engine": engine, "rmse": rmse, "seconds": seconds, "how": how});
+    let file = json!({"schema": 1, "scenes": [{"scene": "nine balls"}],
+        "reached": [
+            reached("goldray", 0.01, 0.02, "cheapest"),
+            reached("goldray", 0.001, 0.25, "between"),
+            reached("povray", 0.001, 3.0, "not within")],
+        "ratios": [{"scene": "nine balls", "rmse": 0.001, "engine": "povray", "times": 12.0}]});
+    let folder = tempfile::tempdir().unwrap();
+    place::write(&folder.path().join("image.svg"), "<svg>nine</svg>").unwrap();
+    let drawn = drawn(folder.path()).unwrap();
+    let files = files(&[("image", file)]);
+    let (text, plots) = document("performance", &Machine::here(), &files, &drawn);
+    assert_eq!(plots, [("image.svg".to_owned(), "<svg>nine</svg>".to_owned())]);
+    assert!(text.contains("![image](performance/image.svg)"), "{text}");
+    assert!(text.contains("| nine balls: seconds to RMSE | 0.01 | 0.001 |"), "{text}");
+    assert!(text.contains("| goldray | 0.02 | 0.25 |"), "{text}");
+    assert!(text.contains("| povray | - | over 3.00, 12.0x |"), "{text}");
 }
 
 #[test]
 fn skipping_is_added_up() {
     let row = |scene: &str, same: bool| json!({"scene": scene, "same_bits": same, "with": {"eye_rays": 25}, "without": {"eye_rays": 100}});
     let file = json!({"schema": 1, "rows": [row("a", true), row("b", false)]});
-    let (text, _) = document("performance", &Machine::here(), &files(&[("skipping", file)]));
+    let (text, _) = document("performance", &Machine::here(), &files(&[("skipping", file)]), &NONE);
     assert!(text.contains("| eye rays | 50 | 200 | 25 % |"), "{text}");
     assert!(text.contains("1 of 2 pictures") && text.contains("Other bits: b."), "{text}");
 }
@@ -85,7 +92,7 @@ fn skipping_is_added_up() {
 fn a_file_of_another_form_makes_a_section_all_the_same() {
     let of_all: Vec<_> =
         PARTS.iter().map(|_| Some(json!({"rows": [{}], "scenes": [{}]}))).collect();
-    let (text, _) = document("performance", &Machine::here(), &of_all);
+    let (text, _) = document("performance", &Machine::here(), &of_all, &NONE);
     assert_eq!(text.matches("is of another form than").count(), 3);
     assert!(!text.contains("Not measured"));
 }
