@@ -14,7 +14,8 @@ const DRAWN: [(&str, &str); 8] = [
     ("embree4-high", "#2f9e44"),
     ("embree4-robust", "#1c7ed6"),
     ("embree4-packet16", "#9c36b5"),
-    ("obvhs", "#0ca678"),
+    ("embree3", "#495057"),
+    ("obvhs", "#e64980"),
     ("bvh", "#a67c52"),
     ("parry3d", "#74808c"),
 ];
