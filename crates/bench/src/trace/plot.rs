@@ -8,7 +8,7 @@ use super::report::Row;
 
 /// The engines drawn, with their colors, which are read on light and dark
 /// ground alike. Circles are goldray's, squares the others'.
-const DRAWN: [(&str, &str); 8] = [
+const DRAWN: [(&str, &str); 9] = [
     ("goldray-accurate", "#d9480f"),
     ("goldray-fast", "#f08c00"),
     ("embree4-high", "#2f9e44"),
