@@ -66,10 +66,13 @@ impl Bundle {
         let origin = [x * scale, y * scale, z * scale];
         let reach = longest(origin) + simd.four_long(wide.largest);
         let length = longest(rays.direction);
-        // Of a ray with a NaN nothing is met, whatever it enters.
+        // A NaN, which the largest of three may not show, is no start: it would take
+        // another ray's place among the ends of a packet.
+        let is_somewhere = (x + y + z).is_at_most(simd.four_long(f64::INFINITY));
         let usual = simd.four_long(1.0 / LONGEST).is_at_most(length)
             & length.is_at_most(simd.four_long(LONGEST))
-            & reach.is_at_most(simd.four_long(wide.farthest));
+            & reach.is_at_most(simd.four_long(wide.farthest))
+            & is_somewhere;
         self.usual = self.usual & !(ALL << at) | usual << at;
         let mut widest = simd.four_long(0.0);
         for (axis, (o, d)) in origin.into_iter().zip(rays.direction).enumerate() {

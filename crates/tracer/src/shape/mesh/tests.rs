@@ -201,6 +201,38 @@ fn packets_give_the_answers_of_the_list() {
     assert!(hits > 800, "{hits} hits are too few to say anything");
 }
 
+#[test]
+fn a_ray_that_is_no_ray_takes_none_out_of_its_packet() {
+    let mut any = fastrand::Rng::with_seed(12);
+    let (vertices, faces) = bumpy(&mut any, true);
+    let mesh = |build| Mesh::new(vertices.clone(), faces.clone(), None, build).unwrap();
+    let list = mesh(Build::List);
+    let at = |level| mesh(Build::Bvh).at(level);
+    let meshes: Vec<_> = crate::simd::Level::all().into_iter().map(at).collect();
+    let mut hits = 0;
+    for round in 0..600 {
+        let (nobody, axis) = (round % 16, round / 16 % 3);
+        // Most in a corner of the ball, and one that is alone at its end.
+        let mut rays: Vec<_> = (0..16)
+            .map(|k| {
+                let end = if k == (nobody + 8) % 16 { 0.6 } else { -0.6 };
+                let place = end + 0.4 * dvec3(any.f64(), any.f64(), any.f64());
+                Ray::new(place - dvec3(1.0, 2.0, 3.0), dvec3(1.0, 2.0, 3.0))
+            })
+            .collect();
+        rays[nobody].origin[axis] = f64::NAN;
+        let expected: Vec<_> =
+            rays.iter().map(|ray| list.intersect(ray, Interval::AHEAD)).collect();
+        hits += expected.iter().flatten().count();
+        for mesh in &meshes {
+            let mut contacts = vec![None; rays.len()];
+            mesh.intersect_batch(&rays, Interval::AHEAD, Coherence::Coherent, &mut contacts);
+            assert_eq!(contacts, expected, "{:?}, {nobody}, {axis}", mesh.level);
+        }
+    }
+    assert!(hits > 4000, "{hits} hits are too few to say anything");
+}
+
 /// A ball of random bumps, of `f32` corners or not, with a ray at its corners and
 /// edges and some that are no one's.
 fn bumpy(any: &mut fastrand::Rng, is_single: bool) -> (Vec<DVec3>, Vec<[u32; 3]>) {
