@@ -15,7 +15,8 @@ use crate::simd::{Simd, Work};
 
 impl Mesh {
     /// What [`Geometry::intersect`](super::Geometry::intersect) says of each of
-    /// these rays, put in its place in `contacts`, which is as long.
+    /// these rays, put in its place in `contacts`; rays without a place there are
+    /// not asked.
     pub fn intersect_batch(
         &self,
         rays: &[Ray],
@@ -23,6 +24,7 @@ impl Mesh {
         coherence: Coherence,
         contacts: &mut [Option<Contact>],
     ) {
+        let rays = &rays[..rays.len().min(contacts.len())];
         let Order::Wide(wide) = &self.order else {
             for (ray, contact) in rays.iter().zip(contacts) {
                 *contact = self.closest(ray, range, None, &Unmetered);
@@ -37,7 +39,8 @@ impl Mesh {
     }
 
     /// What [`Geometry::occludes`](super::Geometry::occludes) says of each of
-    /// these rays, put in its place in `occluded`, which is as long.
+    /// these rays, put in its place in `occluded`; rays without a place there are
+    /// not asked.
     pub fn occludes_batch(
         &self,
         rays: &[Ray],
@@ -45,6 +48,7 @@ impl Mesh {
         coherence: Coherence,
         occluded: &mut [bool],
     ) {
+        let rays = &rays[..rays.len().min(occluded.len())];
         let Order::Wide(wide) = &self.order else {
             for (ray, occluded) in rays.iter().zip(occluded) {
                 *occluded = self.occluder(ray, range, None, None, &Unmetered).is_some();
@@ -286,5 +290,54 @@ impl<const COHERENT: bool> Work for AnyOfEach<'_, COHERENT> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
         by_storage!(self.batch.mesh, any_of_each::<COHERENT>(simd, self));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::super::Geometry;
+    use super::super::tests::bumpy;
+    use super::*;
+    use crate::accel::Build;
+
+    #[test]
+    fn answers_are_in_the_rays_places_in_whatever_order_they_are_traced() {
+        let mut any = fastrand::Rng::with_seed(21);
+        let (vertices, faces) = bumpy(&mut any, true);
+        let mesh = Mesh::new(vertices, faces, None, Build::Bvh).unwrap();
+        let mut point = || DVec3::new(any.f64(), any.f64(), any.f64()) * 2.0 - 1.0;
+        let rays: Vec<_> = (0..67).map(|_| Ray::new(2.0 * point(), point())).collect();
+        let range = Interval::AHEAD;
+        let expected: Vec<_> = rays.iter().map(|ray| mesh.intersect(ray, range)).collect();
+        assert!(expected.iter().flatten().count() > 10);
+        let Order::Wide(wide) = &mesh.order else { panic!("no hierarchy") };
+        let batch = || {
+            // 29 and 67 have no factor in common.
+            let turns = Turns::Sorted((0..67).map(|k| k * 29 % 67).collect());
+            Batch { mesh: &mesh, wide, rays: &rays, range, turns }
+        };
+        let mut contacts = vec![None; rays.len()];
+        mesh.level.run(ClosestOfEach::<false> { batch: batch(), contacts: &mut contacts });
+        assert_eq!(contacts, expected);
+        let mut occluded = vec![false; rays.len()];
+        mesh.level.run(AnyOfEach::<false> { batch: batch(), occluded: &mut occluded });
+        assert!(occluded.iter().zip(&expected).all(|(is, contact)| *is == contact.is_some()));
+    }
+
+    #[test]
+    fn rays_without_a_place_are_not_asked() {
+        let mut any = fastrand::Rng::with_seed(22);
+        let (vertices, faces) = bumpy(&mut any, true);
+        let mesh = Mesh::new(vertices, faces, None, Build::Bvh).unwrap();
+        // It has no poles.
+        let rays = vec![Ray::new(DVec3::new(3.0, 0.1, 0.2), -DVec3::X); 40];
+        for coherence in [Coherence::Coherent, Coherence::Incoherent] {
+            let (mut contacts, mut occluded) = (vec![None; 18], vec![false; 18]);
+            mesh.intersect_batch(&rays, Interval::AHEAD, coherence, &mut contacts);
+            mesh.occludes_batch(&rays, Interval::AHEAD, coherence, &mut occluded);
+            assert!(contacts.iter().all(Option::is_some) && occluded.iter().all(|&is| is));
+        }
     }
 }

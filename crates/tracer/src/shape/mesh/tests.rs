@@ -235,7 +235,7 @@ fn a_ray_that_is_no_ray_takes_none_out_of_its_packet() {
 
 /// A ball of random bumps, of `f32` corners or not, with a ray at its corners and
 /// edges and some that are no one's.
-fn bumpy(any: &mut fastrand::Rng, is_single: bool) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(super) fn bumpy(any: &mut fastrand::Rng, is_single: bool) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let (rings, around) = (7, 12);
     let mut vertices = Vec::new();
     for ring in 0..=rings {
