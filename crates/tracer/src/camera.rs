@@ -6,6 +6,7 @@
 
 use glam::DVec3;
 
+use crate::fault::{Fault, seeded};
 use crate::math::tan;
 use crate::refused::{direction, length, point, refuse_unless, show};
 use crate::{Ray, Refusal, Refused, UnitVec};
@@ -82,7 +83,8 @@ impl Camera {
             length("view_height", view.view_height),
             distance,
         ])?;
-        let w = view.proj_normal.unwrap_or(-view.view_dir);
+        let proj_normal = view.proj_normal.filter(|_| !seeded(Fault::ProjNormalIgnored));
+        let w = proj_normal.unwrap_or(-view.view_dir);
         let towards_viewer = refuse_unless(
             w.dot(view.view_dir) < 0.0,
             "proj_normal",
@@ -92,7 +94,9 @@ impl Camera {
         Refused::unless([towards_viewer])?;
         let axes = UnitVec::new(view.view_dir).zip(UnitVec::new(w)).and_then(|(forward, w)| {
             let u = to_the_right(view.view_up, w)?;
-            Some((forward, u, UnitVec::new(w.cross(*u))?))
+            let v = if seeded(Fault::UpNotUpright) { view.view_up } else { w.cross(*u) };
+            let u = if seeded(Fault::LeftHandedCamera) { -u } else { u };
+            Some((forward, u, UnitVec::new(v)?))
         });
         let (forward, u, v) = axes.ok_or_else(|| Refusal {
             field: "view_up",
@@ -149,7 +153,9 @@ impl Camera {
             "a direction that is not parallel to the line from `eye` to `at`",
             || show(up),
         )])?;
-        let view_height = 2.0 * tan(0.5 * fov_deg.to_radians());
+        let half = if seeded(Fault::FovNotHalved) { 1.0 } else { 0.5 };
+        let aspect = if seeded(Fault::AspectIgnored) { 1.0 } else { aspect };
+        let view_height = 2.0 * tan(half * fov_deg.to_radians());
         let view = View {
             view_point: eye,
             view_dir: at - eye,
@@ -179,10 +185,16 @@ impl Camera {
     ///   in a straight view `view_dir = -w`, which is the slide's `- d w`;
     /// - parallel: `p = e + a u + b v`, `d = view_dir`.
     pub fn ray(&self, a: f64, b: f64) -> Ray {
+        let (a, b) = if seeded(Fault::SwappedUAndV) { (b, a) } else { (a, b) };
         let in_window = a * *self.u + b * *self.v;
         match self.projection {
             Projection::Perspective { proj_distance } => {
-                Ray::new(self.e, proj_distance * *self.forward + in_window)
+                let along = seeded(Fault::DistanceAlongNormal).then(|| self.v.cross(*self.u));
+                let d = if seeded(Fault::ProjDistanceIgnored) { 1.0 } else { proj_distance };
+                Ray::new(self.e, d * along.unwrap_or(*self.forward) + in_window)
+            }
+            Projection::Parallel if seeded(Fault::ParallelFromTheEye) => {
+                Ray::new(self.e, *self.forward + in_window)
             }
             Projection::Parallel => Ray::new(self.e + in_window, *self.forward),
         }
@@ -217,7 +229,8 @@ fn to_the_right(up: DVec3, w: UnitVec) -> Option<UnitVec> {
 /// assert_eq!(pixel_center(1, 3, 2.0), 0.0);
 /// ```
 pub fn pixel_center(i: u32, n: u32, extent: f64) -> f64 {
-    let from_center = 2 * i64::from(i) + 1 - i64::from(n);
+    let middle = i64::from(!seeded(Fault::HalfPixelShift));
+    let from_center = 2 * i64::from(i) + middle - i64::from(n);
     extent * from_center as f64 / (2 * i64::from(n)) as f64
 }
 

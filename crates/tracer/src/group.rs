@@ -1,6 +1,7 @@
 //! `Group`: surfaces under one transform, and the closest hit among them.
 
-use crate::accel::{Accelerator, Build};
+use crate::accel::{Accelerator, Build, end_after};
+use crate::fault::{Fault, seeded};
 use crate::meter::{Event, Meter, Unmetered};
 use crate::plan::Candidates;
 use crate::shape::{Departure, Geometry, Shape};
@@ -181,7 +182,11 @@ impl Group {
             transform: (!transform.is_identity()).then_some(transform),
             accelerator: Accelerator::build(build, &boxes, inner),
             rounding: outer * inner,
-            bounds: transform.bounds(&inside),
+            bounds: if seeded(Fault::GroupBoxNotMoved) {
+                inside
+            } else {
+                transform.bounds(&inside)
+            },
             members,
         };
         group.number(0);
@@ -297,7 +302,8 @@ impl Group {
         while bits != 0 {
             let member = &self.members[bits.trailing_zeros() as usize];
             bits &= bits - 1;
-            if let Some(t) = member.meet(ray, range.until(t_best), meter, &mut closest) {
+            let end = end_after(t_best, closest.is_some(), range);
+            if let Some(t) = member.meet(ray, range.until(end), meter, &mut closest) {
                 t_best = t;
             }
         }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::fault::{Fault, seeded};
 use crate::shape::Departure;
 use crate::{Material, Ray, UnitVec, accel};
 
@@ -52,6 +53,9 @@ impl Hit {
     }
 
     fn leave(&self, towards: DVec3, direction: impl FnOnce(DVec3) -> DVec3) -> Ray {
+        if seeded(Fault::ShadowAcne) {
+            return Ray::new(self.point, direction(self.point));
+        }
         let n = *self.geometric_normal;
         // A direction along the surface is outward.
         let outward = !(n.dot(towards) < 0.0);

@@ -1,5 +1,6 @@
 //! `Interval`: the open range of `t` in which a hit counts.
 
+use crate::fault::{Fault, seeded};
 /// The open range `(lo, hi)` of the ray parameter: the lecture's
 /// `(tMin, tMax)`. Neither end is inside, and NaN never is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +23,8 @@ impl Interval {
     /// Whether `t` is strictly between the ends. A NaN on either side makes
     /// this false, so a NaN is never a hit.
     pub fn contains(self, t: f64) -> bool {
-        self.lo < t && t < self.hi
+        let lo = if seeded(Fault::TMinIgnored) { self.lo.min(0.0) } else { self.lo };
+        (lo < t || seeded(Fault::HitBehindTheEye)) && t < self.hi
     }
 
     /// The same range, ended at `hi`.

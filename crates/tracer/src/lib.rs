@@ -35,6 +35,7 @@ mod camera;
 mod color;
 #[cfg(test)]
 mod exact;
+pub mod fault;
 mod group;
 mod hit;
 mod image;

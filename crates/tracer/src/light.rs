@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::fault::{Fault, seeded};
 use crate::refused::{color, direction, point};
 use crate::{Refused, Rgb, UnitVec};
 
@@ -57,6 +58,7 @@ impl Light {
     /// intensity.
     pub fn directional(travel: DVec3, intensity: Rgb) -> Result<Self, Refused> {
         Refused::unless([direction("direction", travel), color("intensity", intensity)])?;
+        let travel = if seeded(Fault::DirectionReversed) { -travel } else { travel };
         let to_light = UnitVec::new(-travel).unwrap_or(UnitVec::Z);
         Ok(Self(Kind::Directional { to_light, intensity }))
     }

@@ -1,5 +1,6 @@
 //! `Material`: how a surface sends light on.
 
+use crate::fault::{Fault, seeded};
 use crate::math::pow;
 use crate::meter::{Event, Meter, Unmetered};
 use crate::refused::{Refusal, color, length};
@@ -91,9 +92,10 @@ impl Material {
         (n, l, v): (UnitVec, UnitVec, UnitVec),
         meter: &impl Meter,
     ) -> Rgb {
-        let cosine = n.dot(*l).max(0.0);
+        let cosine = cosine(n, l, v);
         let lambert = |k_d: Rgb| match convention {
             Convention::Classic | Convention::Attenuated => k_d * cosine,
+            Convention::Radiometric if seeded(Fault::PiForgotten) => k_d * cosine,
             Convention::Radiometric => k_d * (1.0 / std::f64::consts::PI) * cosine,
         };
         match *self {
@@ -108,20 +110,50 @@ impl Material {
                 meter.count(Event::HalfVector);
                 // Light straight through the surface towards the eye has no
                 // half vector, and no highlight.
-                let highlight =
-                    UnitVec::new(*l + *v).map_or(0.0, |h| pow(n.dot(*h).clamp(0.0, 1.0), exponent));
+                let less = if seeded(Fault::ExponentOffByOne) { 1.0 } else { 0.0 };
+                let highlight = half_vector(n, l, v)
+                    .map_or(0.0, |h| pow(n.dot(*h).clamp(0.0, 1.0), exponent - less));
                 let highlight = match convention {
+                    _ if seeded(Fault::HighlightWithoutCosine) => highlight,
                     Convention::Classic | Convention::Attenuated => highlight,
                     Convention::Radiometric => highlight * cosine,
                 };
-                lambert(diffuse) + specular * highlight
+                let is_diffuse = seeded(Fault::HighlightColorDiffuse);
+                let color = if is_diffuse { diffuse } else { specular };
+                lambert(diffuse) + color * highlight
             }
         }
     }
 }
 
+/// `max(n.l, 0)`, or what a fault makes of it.
+fn cosine(n: UnitVec, l: UnitVec, v: UnitVec) -> f64 {
+    let cosine = n.dot(if seeded(Fault::CosineOfTheEye) { *v } else { *l });
+    if seeded(Fault::CosineNotClamped) {
+        return cosine;
+    }
+    if seeded(Fault::CosineTwoSided) { cosine.abs() } else { cosine.max(0.0) }
+}
+
+/// `h = normalize(l + v)`, or what a fault makes of it; `None` where it has no
+/// length.
+fn half_vector(n: UnitVec, l: UnitVec, v: UnitVec) -> Option<UnitVec> {
+    if seeded(Fault::HalfVectorNotNormalized) {
+        return Some(UnitVec::wrongly(*l + *v));
+    }
+    if seeded(Fault::HighlightOfPhong) {
+        // Its cosine with the normal is that of the eye with the mirrored ray.
+        let mirrored = 2.0 * n.dot(*l) * *n - *l;
+        return Some(UnitVec::wrongly(mirrored.dot(*v) * *n));
+    }
+    UnitVec::new(*l + *v)
+}
+
 /// The assignment's normal shader: `(n + 1) / 2` in each channel.
 pub(crate) fn normal_color(n: UnitVec) -> Rgb {
+    if seeded(Fault::NormalsNotMoved) {
+        return Rgb::new(n.x, n.y, n.z);
+    }
     Rgb::new(0.5 * (n.x + 1.0), 0.5 * (n.y + 1.0), 0.5 * (n.z + 1.0))
 }
 

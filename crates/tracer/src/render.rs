@@ -13,6 +13,7 @@ use std::ops::{Add, Mul};
 
 use rayon::prelude::*;
 
+use crate::fault::{Fault, seeded};
 use crate::meter::{Counter, Event, Meter, Stats, Unmetered, Work};
 use crate::plan::Candidates;
 use crate::scene::Look;
@@ -42,11 +43,27 @@ pub fn render_counted(scene: &Scene, plan: &Plan) -> (LinearImage, Stats) {
 
 /// The picture, and the meters of those who made it.
 fn picture<M: Meter + Default + Send>(scene: &Scene, plan: &Plan) -> (LinearImage, Vec<M>) {
-    match scene.error() {
+    let (picture, meters) = match scene.error() {
         Some(error) => adaptive::picture(scene, plan, error),
         None if scene.filter() == Filter::BOX => boxed(scene, plan),
         None => filtered(scene, plan),
+    };
+    (stored(picture), meters)
+}
+
+/// The picture as it is stored, or what a fault makes of it.
+fn stored(picture: LinearImage) -> LinearImage {
+    let Size { width, height } = picture.size();
+    let is_flipped = seeded(Fault::RowOrderFlipped);
+    let columns = width - u32::from(seeded(Fault::LastColumnLost));
+    let rows = height - u32::from(seeded(Fault::LastRowLost));
+    if !is_flipped && (columns, rows) == (width, height) {
+        return picture;
     }
+    LinearImage::from_fn(picture.size(), |x, y| {
+        let from = if is_flipped { height - 1 - y } else { y };
+        picture.get(x, from).filter(|_| x < columns && y < rows).unwrap_or(Rgb::BLACK)
+    })
 }
 
 /// The picture whose pixels are the means of their own samples.
@@ -138,6 +155,8 @@ impl Mean {
         T: Copy + Default + Add<Output = T> + Mul<f64, Output = T>,
     {
         let n = self.samples.samples_per_pixel();
+        let is_lost = |k: u32| seeded(Fault::SampleLost) && 1 < n && k == n - 1;
+        let term = |k: u32| if is_lost(k) { T::default() } else { term(k) };
         let sum = if self.samples.sampler() == Sampler::Grid {
             let side = self.samples.side();
             mirrored_sum(side, |row| mirrored_sum(side, |column| term(row * side + column)))

@@ -1,5 +1,6 @@
 //! `Scene`: everything a picture is made from, checked.
 
+use crate::fault::{Fault, seeded};
 use crate::meter::{Meter, Unmetered, Work};
 use crate::plan::Candidates;
 use crate::refused::{color, not_negative, refuse_unless};
@@ -149,7 +150,7 @@ impl Scene {
 
     /// How much each sample counts for the pixels around it.
     pub fn filter(&self) -> Filter {
-        self.0.filter
+        if seeded(Fault::FilterIgnored) { Filter::BOX } else { self.0.filter }
     }
 
     /// The error up to which samples are added, if they are.
@@ -209,13 +210,14 @@ impl Scene {
 
     /// What a ray that hits nothing sees.
     pub(crate) fn background(&self) -> Rgb {
-        self.0.background
+        if seeded(Fault::BackgroundIgnored) { Rgb::BLACK } else { self.0.background }
     }
 
     /// What the whole picture is multiplied by: `exposure` where the scene is
     /// shaded, 1 for every other kind of picture.
     pub fn exposure(&self) -> f64 {
-        if self.0.show == Show::Shaded { self.0.exposure } else { 1.0 }
+        let is_exposed = self.0.show == Show::Shaded && !seeded(Fault::ExposureIgnored);
+        if is_exposed { self.0.exposure } else { 1.0 }
     }
 
     /// The lecture's `Scene.trace(ray, tMin, tMax)`: the color of the closest
@@ -238,9 +240,9 @@ impl Scene {
         range: Interval,
         work: &Work<impl Meter>,
     ) -> Look {
-        let SceneParts { world, lights, convention, shadows, background, show, .. } = &self.0;
+        let SceneParts { world, lights, convention, shadows, show, .. } = &self.0;
         let Some(hit) = world.intersect_among(candidates, ray, range, &work.meter) else {
-            return Look::nothing(*background);
+            return Look::nothing(self.background());
         };
         let shade = || {
             let (convention, shadows) = (*convention, *shadows);

@@ -3,6 +3,7 @@
 
 use std::cell::Cell;
 
+use crate::fault::{Fault, seeded};
 use crate::light::{Falloff, Kind};
 use crate::meter::{Event, Meter, Work};
 use crate::{Group, Hit, Interval, Light, Ray, Rgb, UnitVec};
@@ -107,16 +108,23 @@ impl Lighting<'_> {
         let v = UnitVec::new(-ray.direction).unwrap_or(UnitVec::Z);
         let turned_away = n.dot(*v) <= 0.0;
         let (mut radiance, mut shadows) = (Rgb::BLACK, 0);
-        for (number, light) in self.lights.iter().enumerate() {
+        let shadows_are_cast = self.shadows && !seeded(Fault::ShadowRayDropped);
+        let lost = usize::from(seeded(Fault::LastLightLost)).min(self.lights.len());
+        let lights = &self.lights[..self.lights.len() - lost];
+        for (number, light) in lights.iter().enumerate() {
             let is_dark = light.intensity() == Rgb::BLACK;
             if is_dark && skips {
                 continue;
             }
             if let Kind::Ambient { intensity } = light.0 {
+                if seeded(Fault::AmbientLost) {
+                    continue;
+                }
                 radiance += hit.material.surface_color(n) * intensity;
                 continue;
             }
-            if turned_away && self.convention == Convention::Radiometric {
+            let matters = self.convention == Convention::Radiometric;
+            if turned_away && matters && !seeded(Fault::TurnedAwayIgnored) {
                 continue;
             }
             let Some(incident) = self.incident(light, hit) else {
@@ -128,18 +136,22 @@ impl Lighting<'_> {
                 &work.meter,
             );
             let adds = share != Rgb::BLACK && !is_dark;
-            if skips && !(adds && self.shadows) {
+            if skips && !(adds && shadows_are_cast) {
                 work.count(Event::SkippedShadowRay);
             } else {
                 work.count(Event::ShadowRay);
                 let Incident { shadow_ray, range, .. } = &incident;
                 let last = work.occluders.get(number).filter(|_| skips);
                 let first = last.and_then(Cell::get);
-                let occluder = self.world.occluder(shadow_ray, *range, first, &work.meter);
+                let occluder = if first.is_some() && seeded(Fault::ShadowCacheTrusted) {
+                    first
+                } else {
+                    self.world.occluder(shadow_ray, *range, first, &work.meter)
+                };
                 if let Some(last) = last {
                     last.set(occluder);
                 }
-                if occluder.is_some() && self.shadows {
+                if occluder.is_some() && shadows_are_cast {
                     if adds {
                         shadows |= 1_u64.checked_shl(number as u32).unwrap_or(0);
                     }
@@ -150,7 +162,8 @@ impl Lighting<'_> {
                 radiance += share * incident.intensity;
             }
         }
-        (radiance, shadows)
+        let dimmed = if seeded(Fault::LightDimmed) { radiance * 0.98 } else { radiance };
+        (dimmed, shadows)
     }
 
     /// The light as the hit sees it; `None` where it is at the very point,
@@ -162,21 +175,30 @@ impl Lighting<'_> {
                 let to_light = position - hit.point;
                 let r = to_light.length();
                 let l = UnitVec::new(to_light)?;
+                let intensity = colored(intensity);
                 let intensity = match falloff {
+                    _ if seeded(Fault::FalloffMissing) => intensity,
                     Falloff::Constant => intensity,
+                    Falloff::InverseSquare if seeded(Fault::FalloffLinear) => intensity * (1.0 / r),
                     Falloff::InverseSquare => intensity * (1.0 / (r * r)),
                 };
                 let shadow_ray = hit.leaving_to(position);
                 // The ray ends at the light at t = 1.
-                Some(Incident { l, intensity, shadow_ray, range: Interval::new(gap / r, 1.0) })
+                let end = if seeded(Fault::ShadowRayUnlimited) { f64::INFINITY } else { 1.0 };
+                Some(Incident { l, intensity, shadow_ray, range: Interval::new(gap / r, end) })
             }
             Kind::Directional { to_light, intensity } => Some(Incident {
                 l: to_light,
-                intensity,
+                intensity: colored(intensity),
                 shadow_ray: hit.leaving(*to_light),
                 range: Interval::new(gap, f64::INFINITY),
             }),
             Kind::Ambient { .. } => None,
         }
     }
+}
+
+/// The color of a light, or what a fault makes of it.
+fn colored(intensity: Rgb) -> Rgb {
+    if seeded(Fault::LightColorLost) { Rgb::WHITE * intensity.g } else { intensity }
 }

@@ -1,5 +1,6 @@
 //! `Show`: what the picture is of, from "image so far" to full shading.
 
+use crate::fault::{Fault, seeded};
 use crate::material::normal_color;
 use crate::{Hit, Ray, Rgb};
 
@@ -38,9 +39,10 @@ impl Show {
             Self::Normals => Some(normal_color(hit.shading_normal)),
             Self::Depth { near, far } => {
                 let distance = (hit.point - ray.origin).length();
+                let distance = if seeded(Fault::DepthIsT) { hit.t } else { distance };
                 Some(Rgb::WHITE * ((far - distance) / (far - near)).clamp(0.0, 1.0))
             }
-            Self::ObjectIds => Some(id_color(hit.object.0)),
+            Self::ObjectIds => Some(id_color(hit.object.0 + u32::from(seeded(Fault::IdsFromOne)))),
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use crate::fault::{Fault, seeded};
 use crate::math::{UNIT_ROUNDOFF, max_abs, sin_cos_deg};
 use crate::refused::{MAX_LENGTH, refuse_unless, show};
 use crate::{Aabb, Hit, Ray, Refused, UnitVec};
@@ -65,9 +66,11 @@ impl Transform {
     /// # Errors
     /// As [`Transform::new`].
     pub fn then(self, next: Self) -> Result<Self, Refused> {
+        let is_swapped = seeded(Fault::GroupOrderSwapped);
+        let (first, next) = if is_swapped { (next, self) } else { (self, next) };
         Self::from_parts(
-            next.parent_from_object * self.parent_from_object,
-            self.linear_object_from_parent * next.linear_object_from_parent,
+            next.parent_from_object * first.parent_from_object,
+            first.linear_object_from_parent * next.linear_object_from_parent,
         )
     }
 
@@ -99,13 +102,14 @@ impl Transform {
     /// # Errors
     /// As [`Transform::new`].
     pub fn rotation_deg(about: DVec3) -> Result<Self, Refused> {
+        let about = if seeded(Fault::RotationBackwards) { -about } else { about };
         let (sx, cx) = sin_cos_deg(about.x);
         let (sy, cy) = sin_cos_deg(about.y);
         let (sz, cz) = sin_cos_deg(about.z);
         let rx = DMat3::from_cols_array(&[1.0, 0.0, 0.0, 0.0, cx, sx, 0.0, -sx, cx]);
         let ry = DMat3::from_cols_array(&[cy, 0.0, -sy, 0.0, 1.0, 0.0, sy, 0.0, cy]);
         let rz = DMat3::from_cols_array(&[cz, sz, 0.0, -sz, cz, 0.0, 0.0, 0.0, 1.0]);
-        let turn = rz * ry * rx;
+        let turn = if seeded(Fault::RotationOrderSwapped) { rx * ry * rz } else { rz * ry * rx };
         Self::from_parts(DAffine3::from_mat3(turn), turn.transpose())
     }
 
@@ -117,9 +121,11 @@ impl Transform {
     /// The parent's ray, seen from the object. `t` keeps its meaning.
     pub fn object_from_parent(&self, ray: &Ray) -> Ray {
         let inverse = self.linear_object_from_parent;
+        let direction = inverse * ray.direction;
+        let is_unit = seeded(Fault::GroupRayNormalized);
         Ray {
             origin: inverse * (ray.origin - self.parent_from_object.translation),
-            direction: inverse * ray.direction,
+            direction: if is_unit { direction.normalize_or_zero() } else { direction },
             leaving: ray.leaving,
         }
     }
@@ -180,7 +186,13 @@ impl Transform {
     /// its image has no length, which an invertible map rules out short of
     /// underflow.
     fn normal(&self, n: UnitVec) -> UnitVec {
-        UnitVec::new(self.linear_object_from_parent.transpose() * *n).unwrap_or(n)
+        let is_direction = seeded(Fault::NormalAsDirection);
+        let linear = self.parent_from_object.matrix3;
+        let map = if is_direction { linear } else { self.linear_object_from_parent.transpose() };
+        if seeded(Fault::NormalNotNormalized) {
+            return UnitVec::wrongly(map * *n);
+        }
+        UnitVec::new(map * *n).unwrap_or(n)
     }
 }
 

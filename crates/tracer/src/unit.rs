@@ -31,6 +31,11 @@ impl UnitVec {
         Some(Self(v / v.length()))
     }
 
+    /// A vector of any length, taken for one of length 1: for seeded faults.
+    pub(crate) const fn wrongly(v: DVec3) -> Self {
+        Self(v)
+    }
+
     /// The axis of this index: 0 is x, 1 is y, all else z.
     pub const fn axis(index: usize) -> Self {
         match index {

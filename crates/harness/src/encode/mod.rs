@@ -5,6 +5,7 @@
 //! picture that holds a NaN has no encoding and is refused.
 
 mod encoded;
+mod faulty;
 #[cfg(test)]
 mod proof;
 mod thresholds;
@@ -32,7 +33,7 @@ pub fn encode(linear: &LinearImage, transfer: Transfer) -> Result<EncodedImage, 
         if channels.iter().any(|c| c.is_nan()) {
             return Err(NotANumber::of(linear));
         }
-        bytes.extend(channels.map(|c| transfer.code(c)));
+        bytes.extend(faulty::codes(channels, transfer));
     }
     Ok(EncodedImage::from_linear_size(linear.size(), bytes))
 }

@@ -1,6 +1,7 @@
 //! Objects, meshes and groups.
 
 use tracer::accel::Build;
+use tracer::fault::{Fault, seeded};
 use tracer::glam::DVec3;
 use tracer::shape::{Mesh, Shape};
 use tracer::{Convention, Group, Material, Member, Object, Transform};
@@ -21,8 +22,13 @@ pub(super) struct Objects<'a> {
 impl Objects<'_> {
     /// The scene's objects; those with a finding are left out.
     pub(super) fn all(mut self, path: &Path, written: &[format::Object]) -> Vec<Member> {
-        let default = Material::Lambert { diffuse: self.convention.default_diffuse() };
+        let default = self.default_material();
         self.members(path, written, default)
+    }
+
+    /// What an object is made of that does not say, outside of all groups.
+    fn default_material(&self) -> Material {
+        Material::Lambert { diffuse: self.convention.default_diffuse() }
     }
 
     fn members(
@@ -42,6 +48,7 @@ impl Objects<'_> {
         inherited: Material,
     ) -> Option<Member> {
         let material = match written.material() {
+            None if seeded(Fault::GroupMaterialIgnored) => Some(self.default_material()),
             None => Some(inherited),
             Some(own) => {
                 let path = path.field("material");

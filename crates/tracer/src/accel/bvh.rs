@@ -5,7 +5,9 @@
 //! misses, never keep one out that a candidate's own formula would hit.
 
 use super::Candidate;
+use super::list::end_after;
 use super::wide::{Candidates, Gathered, Leaf, Options, Span, TimeScale, Visitor, Wide};
+use crate::fault::{Fault, seeded};
 use crate::meter::Meter;
 use crate::simd::{Level, Simd, Work};
 use crate::{Aabb, Interval, Ray};
@@ -114,8 +116,13 @@ impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Closest<'_, H, F> {
     fn consider(&mut self, i: u32) {
         // One step past the best `t` for a lower number, which wins with an equal
         // one, as in the list.
-        let wins_ties = self.best.is_some() && i < self.number;
-        let until = if wins_ties { self.t_best.next_up().min(self.range.hi) } else { self.t_best };
+        let is_first = (i < self.number) != seeded(Fault::TieGoesToTheLast);
+        let wins_ties = self.best.is_some() && is_first;
+        let until = if wins_ties {
+            self.t_best.next_up().min(self.range.hi)
+        } else {
+            end_after(self.t_best, false, self.range)
+        };
         if let Some(hit) = (self.test)(i, self.range.until(until)) {
             (self.t_best, self.number) = (hit.t(), i);
             self.best = Some(hit);
@@ -135,7 +142,7 @@ impl<H: Candidate, F: FnMut(u32, Interval) -> Option<H>> Visitor for Closest<'_,
             self.consider(i);
         }
         *t_max = self.time.up(self.t_best);
-        false
+        self.best.is_some() && seeded(Fault::FirstLeafWins)
     }
 
     #[inline(always)]

@@ -2,6 +2,7 @@
 
 use super::Candidate;
 use crate::Interval;
+use crate::fault::{Fault, seeded};
 
 /// Tests every candidate in order.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +36,8 @@ impl List {
         let mut t_best = range.hi;
         let mut first_surface = None;
         for surface in 0..self.len {
-            if let Some(hit) = test(surface, range.until(t_best)) {
+            let end = end_after(t_best, first_surface.is_some(), range);
+            if let Some(hit) = test(surface, range.until(end)) {
                 t_best = hit.t();
                 first_surface = Some((surface, hit));
             }
@@ -47,4 +49,13 @@ impl List {
     pub fn any(&self, test: impl FnMut(u32) -> bool) -> bool {
         (0..self.len).any(test)
     }
+}
+
+/// Where the range ends for the next surface, if the best hit is at `t_best`.
+#[inline(always)]
+pub(crate) fn end_after(t_best: f64, is_hit: bool, range: Interval) -> f64 {
+    if is_hit && seeded(Fault::TieGoesToTheLast) {
+        return t_best.next_up();
+    }
+    if seeded(Fault::LastHitWins) { range.hi } else { t_best }
 }

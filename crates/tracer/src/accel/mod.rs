@@ -17,6 +17,7 @@ pub(crate) mod wide;
 
 pub use bvh::Bvh;
 pub use list::List;
+pub(crate) use list::end_after;
 pub(crate) use turns::Turns;
 
 use crate::meter::Meter;

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::Ray;
+use crate::fault::{Fault, seeded};
 
 /// Where a ray enters and leaves the slab `min <= x <= max` of one axis:
 ///
@@ -25,9 +26,13 @@ use crate::Ray;
 #[inline(always)]
 pub fn ray_slab(p: f64, d: f64, min: f64, max: f64) -> Option<(f64, f64)> {
     if d == 0.0 {
-        return (min <= p && p <= max).then_some((f64::NEG_INFINITY, f64::INFINITY));
+        let always = seeded(Fault::ZeroDirectionAlwaysInside);
+        let never = seeded(Fault::ZeroDirectionNeverInside);
+        return (!never && (always || min <= p && p <= max))
+            .then_some((f64::NEG_INFINITY, f64::INFINITY));
     }
-    let (near, far) = if d > 0.0 { (min, max) } else { (max, min) };
+    let is_upward = d > 0.0 || seeded(Fault::SlabNotSwapped);
+    let (near, far) = if is_upward { (min, max) } else { (max, min) };
     let (enter, leave) = ((near - p) / d, (far - p) / d);
     (enter <= leave).then_some((enter, leave))
 }

@@ -1,6 +1,7 @@
 //! `Tiles`: which squares of the picture may show which members of the scene.
 
 use crate::camera::Seen;
+use crate::fault::{Fault, seeded};
 use crate::{Camera, Size};
 
 /// Width and height of a tile in pixels; those at the right and at the top may
@@ -56,7 +57,10 @@ impl Tiles {
                     // Beyond the picture there is none: the casts saturate.
                     if first <= last { first as u32..last as u32 + 1 } else { 0..0 }
                 };
-                let columns = tiles(a, camera.view_width(), width, self.columns);
+                let mut columns = tiles(a, camera.view_width(), width, self.columns);
+                if seeded(Fault::TileLost) {
+                    columns.end = columns.end.saturating_sub(1);
+                }
                 for row in tiles(b, camera.view_height(), height, self.rows) {
                     for column in columns.clone() {
                         self.seen[(row * self.columns + column) as usize] |= member;

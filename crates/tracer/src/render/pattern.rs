@@ -4,6 +4,7 @@
 //! from a thread, nor from what another pixel drew.
 
 use super::samples::{Sampler, Samples};
+use crate::fault::{Fault, seeded};
 use crate::{Scene, Size, pixel_center};
 
 /// Where a sample is.
@@ -51,7 +52,8 @@ fn at((pixel, n): (u32, u32), part: u32, extent: f64) -> f64 {
 }
 
 /// Sample `k` of a pixel, in [`PARTS`] from its lower left corner.
-fn scattered(samples: Samples, (i, j): (u32, u32), k: u32) -> [u32; 2] {
+fn scattered(samples: Samples, at: (u32, u32), k: u32) -> [u32; 2] {
+    let (i, j) = if seeded(Fault::ScatteredAlike) { (0, 0) } else { at };
     let keys = |seed: u32| mixed(u64::from(i) << 32 | u64::from(j), mixed(0, seed.into()));
     match samples.sampler() {
         Sampler::Grid => [0, 0],

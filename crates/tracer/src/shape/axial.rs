@@ -18,6 +18,7 @@ mod passing;
 use glam::DVec3;
 
 use super::Contact;
+use crate::fault::{Fault, seeded};
 use crate::math::{
     cross, difference_of_products, dot, max_abs, offset_at, power_of_two_below, two_sum,
 };
@@ -276,6 +277,11 @@ impl Approach {
         // A positive test: a NaN is in no order.
         let side = side.filter(|[low, high]| low <= high);
         let on_side = |s: f64| Contact { t: self.t + s * self.axis.unit, ..Contact::at(0.0) };
+        let caps = caps && !seeded(Fault::CapsLost);
+        if seeded(Fault::EndlessSide) {
+            let [enter, leave] = side?.map(on_side);
+            return Some(self.crossing(enter, leave, caps));
+        }
         if self.climb == 0.0 {
             let above = parts[0].is_none() || self.to_planes[0] <= 0.0;
             let [enter, leave] = side.filter(|_| above && 0.0 <= self.to_planes[1])?.map(on_side);

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Contact, Departure, Formulas, SurfacePoint};
+use crate::fault::{Fault, seeded};
 use crate::lecture::ray_slab;
 use crate::math::UNIT_ROUNDOFF;
 use crate::refused::{point, refuse_unless, show};
@@ -56,7 +57,8 @@ impl AxisBox {
         for axis in 0..3 {
             let (p, d) = (ray.origin[axis], ray.direction[axis]);
             let (t_in, t_out) = ray_slab(p, d, self.min[axis], self.max[axis])?;
-            if t_in > enter {
+            let is_last = if seeded(Fault::BoxEnteredTooEarly) { axis == 0 } else { t_in > enter };
+            if is_last {
                 (enter, enter_axis) = (t_in, axis);
             }
             if t_out < leave {
@@ -103,7 +105,7 @@ impl Formulas for AxisBox {
         if from.is_none() && range.contains(crossing.enter) {
             let axis = crossing.enter_axis;
             Some(contact(crossing.enter, face(axis, d[axis] < 0.0)))
-        } else if range.contains(crossing.leave) {
+        } else if range.contains(crossing.leave) && !seeded(Fault::BoxLostFromInside) {
             let axis = crossing.leave_axis;
             Some(contact(crossing.leave, face(axis, d[axis] > 0.0)))
         } else {
@@ -117,7 +119,7 @@ impl Formulas for AxisBox {
         let mut point = ray.at(contact.t).clamp(self.min, self.max);
         point[axis] = if higher { self.max[axis] } else { self.min[axis] };
         let normal = UnitVec::axis(axis);
-        let normal = if higher { normal } else { -normal };
+        let normal = if higher ^ seeded(Fault::BoxNormalInward) { normal } else { -normal };
         SurfacePoint {
             point,
             // The point is on its side exactly; a start that is rounded again

@@ -6,6 +6,7 @@ use super::axial::{
     Approach, Axis, Crossing, Near, SIDE, apart, difference_of_squares, roots, size,
 };
 use super::{Contact, Departure, Formulas, SurfacePoint};
+use crate::fault::{Fault, seeded};
 use crate::math::{UNIT_ROUNDOFF, difference_of_products, dot};
 use crate::refused::{length, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -145,7 +146,8 @@ impl Cone {
         let at_apex = -self.axis.direction;
         match UnitVec::new(across) {
             Some(outward) => {
-                let normal = UnitVec::new(*outward - k * *self.axis.direction);
+                let tilt = if seeded(Fault::ConeNormalOfCylinder) { 0.0 } else { k };
+                let normal = UnitVec::new(*outward - tilt * *self.axis.direction);
                 (height, k * height * *outward, normal.unwrap_or(at_apex))
             }
             None => (height, DVec3::ZERO, at_apex),

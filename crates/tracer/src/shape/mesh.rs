@@ -17,6 +17,7 @@ use super::triangle::{self, Shear};
 use super::{Contact, Departure, Geometry, SurfacePoint};
 use crate::accel::List;
 use crate::accel::wide::Wide;
+use crate::fault::{Fault, seeded};
 use crate::meter::{Event, Meter, Unmetered};
 use crate::simd::Level;
 use crate::{Aabb, Interval, Ray, UnitVec};
@@ -120,9 +121,16 @@ impl Mesh {
     /// mesh has none or they cancel out.
     fn interpolated_normal(&self, contact: &Contact) -> Option<UnitVec> {
         let MeshNormals { normals, faces } = self.normals.as_ref()?;
-        let corner = faces[contact.part as usize].map(|i| UnitVec::new(normals[i as usize]));
+        if seeded(Fault::NormalsNotInterpolated) {
+            return None;
+        }
+        let mut face = faces[contact.part as usize];
+        if seeded(Fault::NormalsOfTheNextCorner) {
+            face.rotate_left(1);
+        }
+        let corner = face.map(|i| UnitVec::new(normals[i as usize]));
         let [a, b, c] = [*corner[0]?, *corner[1]?, *corner[2]?];
-        let [beta, gamma] = contact.barycentric;
+        let [beta, gamma] = triangle::weights(contact);
         UnitVec::new((1.0 - beta - gamma) * a + beta * b + gamma * c)
     }
 }

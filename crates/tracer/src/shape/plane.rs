@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Contact, Departure, Formulas, SurfacePoint};
+use crate::fault::{Fault, seeded};
 use crate::math::{UNIT_ROUNDOFF, dot, dot_of_difference, max_abs};
 use crate::refused::{direction, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -53,7 +54,8 @@ impl Plane {
     #[inline(always)]
     pub(super) fn t(&self, ray: &Ray) -> f64 {
         let approach = dot(ray.direction, self.across);
-        if approach.is_infinite() {
+        let is_lost = seeded(Fault::PlaneOneSided) && approach > 0.0;
+        if approach.is_infinite() || is_lost {
             return f64::NAN;
         }
         dot_of_difference(self.point, ray.origin, self.across) / approach

@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use super::{Contact, Departure, Formulas, SurfacePoint};
+use crate::fault::{Fault, seeded};
 use crate::math::{UNIT_ROUNDOFF, dot, max_abs, offset_with_rest_at, two_product, two_sum};
 use crate::refused::{length, point};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -64,7 +65,7 @@ impl Sphere {
     fn approach(&self, ray: &Ray) -> Option<Approach> {
         let d = ray.direction;
         let f = ray.origin - self.center;
-        let a = dot(d, d);
+        let a = if seeded(Fault::DirectionTakenAsUnit) { 1.0 } else { dot(d, d) };
         let t_c = -f.dot(d) / a;
         if self.is_passed_by(f + t_c * d, f) {
             return None;
@@ -96,7 +97,8 @@ impl Sphere {
     /// is inside, in the geometer's units. What is below `rest` is left out.
     #[inline(always)]
     fn inside_by(&self, m: DVec3, rest: DVec3) -> f64 {
-        let (mut sum, mut lost) = two_product(self.radius, self.radius);
+        let factor = if seeded(Fault::RadiusNotSquared) { 1.0 } else { self.radius };
+        let (mut sum, mut lost) = two_product(self.radius, factor);
         for x in m.to_array() {
             let (square, square_rest) = two_product(x, x);
             let (next, next_rest) = two_sum(sum, -square);
@@ -143,8 +145,11 @@ impl Formulas for Sphere {
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact> {
         let approach = self.approach(ray)?;
         let [near, far] = self.roots(ray, &approach);
-        if from.is_none() && range.contains(near) {
+        if from.is_none() && range.contains(near) && !seeded(Fault::FarRootOfSphere) {
             return Some(Contact::at(near));
+        }
+        if seeded(Fault::SphereLostFromInside) {
+            return None;
         }
         range.contains(far).then_some(Contact::at(far))
     }

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use self::line::{Line, Span};
 use super::{Contact, Departure, Formulas, SurfacePoint};
+use crate::fault::{Fault, seeded};
 use crate::math::{UNIT_ROUNDOFF, max_abs, offset_at};
 use crate::refused::{direction, length, number, point, refuse_unless};
 use crate::{Aabb, Interval, Ray, Refused, UnitVec};
@@ -128,7 +129,8 @@ impl Torus {
         let Some(spoke) = UnitVec::new(across) else {
             return (*self.axis, -self.axis);
         };
-        let beyond_ring = across.length() - self.major;
+        let ring = if seeded(Fault::TorusNormalFromCenter) { 0.0 } else { self.major };
+        let beyond_ring = across.length() - ring;
         let normal = UnitVec::new(beyond_ring * *spoke + along * *self.axis).unwrap_or(spoke);
         (*spoke, normal)
     }

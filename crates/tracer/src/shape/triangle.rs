@@ -9,6 +9,7 @@ pub(super) use shear::{Line, Shear};
 use glam::DVec3;
 
 use super::{Contact, Departure, Formulas, SurfacePoint};
+use crate::fault::{Fault, seeded};
 use crate::math::{
     Long, UNIT_ROUNDOFF, determinant, difference_of_products, long_product, long_sum, max_abs,
     two_sum,
@@ -72,6 +73,7 @@ pub(super) fn normal([a, b, c]: [DVec3; 3]) -> Option<UnitVec> {
     let (e, f) = (b - a, c - a);
     // Scaled so that products neither overflow nor underflow.
     let (e, f) = (e / max_abs(e), f / max_abs(f));
+    let (e, f) = if seeded(Fault::WindingIgnored) && e.x < f.x { (f, e) } else { (e, f) };
     UnitVec::new(DVec3::new(
         difference_of_products(e.y, f.z, e.z, f.y),
         difference_of_products(e.z, f.x, e.x, f.z),
@@ -110,13 +112,20 @@ pub(super) fn bounds(corners: [DVec3; 3]) -> Aabb {
 /// The point by its corners' weights, which stays on the plane whatever the
 /// error of `t`.
 pub(super) fn surface([a, b, c]: [DVec3; 3], normal: UnitVec, contact: &Contact) -> SurfacePoint {
-    let [beta, gamma] = contact.barycentric;
+    let [beta, gamma] = weights(contact);
     SurfacePoint {
         point: a + beta * (b - a) + gamma * (c - a),
         error: point_error([a, b, c]),
         geometric_normal: normal,
         shading_normal: normal,
     }
+}
+
+/// How much the second and the third corner count at a contact.
+#[inline(always)]
+pub(super) fn weights(contact: &Contact) -> [f64; 2] {
+    let [beta, gamma] = contact.barycentric;
+    if seeded(Fault::WeightsSwapped) { [gamma, beta] } else { [beta, gamma] }
 }
 
 /// How far off the triangle a point of it may be by rounding: the

@@ -4,6 +4,7 @@ use super::bundle::Bundle;
 use super::node::{Leaf, Node};
 use super::slabs::{Slabs, TimeScale};
 use super::{STACK, Wide};
+use crate::fault::{Fault, seeded};
 use crate::meter::{Event, Meter, Unmetered};
 use crate::simd::{Eight, Room, Simd, Stack, Work};
 
@@ -90,6 +91,8 @@ impl Wide {
                 meter.count(Event::Node);
                 let Some(node) = self.nodes.get(here as usize) else { return false };
                 let (met, enter) = slabs.enter(simd, &node.planes, *t_max);
+                let others = met & met.wrapping_sub(1);
+                let met = if others != 0 && seeded(Fault::LeafSkipped) { others } else { met };
                 if let Some(nearest) = self.nearest(simd, node, met, enter, &mut stack, visitor) {
                     here = nearest;
                     continue;

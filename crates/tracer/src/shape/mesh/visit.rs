@@ -12,6 +12,7 @@ use super::precision::Precision;
 use super::sight::Sight;
 use super::{Contact, Departure, Mesh};
 use crate::accel::wide::{Leaf, TimeScale, Visitor};
+use crate::fault::{Fault, seeded};
 use crate::meter::{Event, Meter};
 use crate::simd::Simd;
 use crate::{Interval, Ray};
@@ -212,7 +213,7 @@ impl<S: Simd, P: Precision, T: Number, M: Meter> Visitor for Closest<'_, S, P, T
             }
         }
         *t_max = self.time.up(self.best.hi);
-        false
+        !matches!(self.best.known, Known::Nothing) && seeded(Fault::FirstLeafWins)
     }
 
     #[inline(always)]

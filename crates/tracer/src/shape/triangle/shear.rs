@@ -4,6 +4,7 @@
 use glam::DVec3;
 
 use super::super::Contact;
+use crate::fault::{Fault, seeded};
 use crate::math::{
     Long, Real, UNIT_ROUNDOFF, determinant, difference_of_products, long_product, long_quotient,
     long_sum, max_abs, power_of_two_below, two_sum,
@@ -208,6 +209,7 @@ impl Shear {
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];
+        let (u, v, w) = wrong((u, v, w));
         (u > doubt || v > doubt || w > doubt) && (u < -doubt || v < -doubt || w < -doubt)
     }
 
@@ -253,6 +255,7 @@ impl Shear {
         let edges = self.line.edges(self.turned(corners));
         let Edges { u, v, w, .. } = edges;
         // Positive tests: a NaN is neither, so it is a miss.
+        let (u, v, w) = wrong((u, v, w));
         let inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
         if inside { self.contact(corners, &edges, range) } else { None }
     }
@@ -275,6 +278,7 @@ impl Shear {
         let u = if u == 0.0 { self.tie(c, b) } else { u };
         let v = if v == 0.0 { self.tie(a, c) } else { v };
         let w = if w == 0.0 { self.tie(b, a) } else { w };
+        let (u, v, w) = wrong((u, v, w));
         let inside = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
         if inside { self.contact(corners, &edges, range) } else { None }
     }
@@ -305,6 +309,14 @@ impl Shear {
         let is_hit = edges.u + edges.v + edges.w != 0.0 && range.contains(t);
         is_hit.then_some(Contact { t, part: 0, barycentric })
     }
+}
+
+/// The edge functions, or what a fault makes of them.
+#[inline(always)]
+fn wrong((u, v, w): (f64, f64, f64)) -> (f64, f64, f64) {
+    let u = if seeded(Fault::EdgeTestInverted) { -u } else { u };
+    let w = if seeded(Fault::EdgeTestMissing) { v } else { w };
+    if seeded(Fault::BackFaceCulled) && u > 0.0 { (u, -v, w) } else { (u, v, w) }
 }
 
 /// `t` is computed again with twice the digits where rounding the areas may draw
