@@ -57,6 +57,9 @@ enum Verb {
     Bench(verb::bench::Bench),
     /// Print or check the bits of every picture, which no target may change
     Digest(verb::digest::Args),
+    /// Seed mistakes into the renderer, one by one, and say which the suite notices
+    #[command(disable_help_flag = true)]
+    Faults(verb::elsewhere::Passed),
     /// Hold the tracer's answers against the exact oracle
     #[command(disable_help_flag = true)]
     Stress(verb::elsewhere::Passed),
@@ -77,6 +80,7 @@ fn main() -> ExitCode {
         Verb::Meshes => verb::meshes::run(&here),
         Verb::Bench(bench) => verb::bench::run(&here, &bench),
         Verb::Digest(args) => verb::digest::run(&here, &args),
+        Verb::Faults(args) => verb::elsewhere::faults(&here, &args),
         Verb::Stress(args) => verb::elsewhere::stress(&here, &["stress"], &args),
     };
     exit_code(answer)

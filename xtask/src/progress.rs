@@ -5,16 +5,21 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Counts fixtures; shared between threads.
+/// Counts fixtures, or whatever else is done one by one; shared between threads.
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// Starts counting to `total`; `doing` is "checking" or the like.
+    /// Starts counting to `total` fixtures; `doing` is "checking" or the like.
     pub fn start(doing: &'static str, total: usize) -> Self {
+        Self::of(doing, "fixture", total)
+    }
+
+    /// Starts counting to `total` of what is called `thing`.
+    pub fn of(doing: &'static str, thing: &str, total: usize) -> Self {
         let bar = bar(total as u64, "{prefix} [{bar:40}] {pos}/{len} {wide_msg}");
         if bar.is_hidden() {
             let s = if total == 1 { "" } else { "s" };
-            eprintln!("{doing} {total} fixture{s}");
+            eprintln!("{doing} {total} {thing}{s}");
         }
         bar.set_prefix(doing);
         Self(bar)

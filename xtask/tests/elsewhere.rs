@@ -10,7 +10,8 @@ use std::process::{Command, Output};
 const STAND_IN: [(&str, &str); 3] = [
     (
         "Cargo.toml",
-        "[package]\nname = \"bench\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[workspace]\n",
+        "[package]\nname = \"bench\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[workspace]\n
+            [features]\nfaults = []\n[[bin]]\nname = \"xtask-faults\"\npath = \"src/main.rs\"\n",
     ),
     ("Cargo.lock", "version = 4\n\n[[package]]\nname = \"bench\"\nversion = \"0.1.0\"\n"),
     (
@@ -35,7 +36,7 @@ fn ask(folder: &Path, args: &[&str]) -> Output {
 fn check(args: &[&str], code: i32, expected: &str) {
     let folder = tempfile::tempdir().unwrap();
     let inside = folder.path().join("docs");
-    for place in ["crates/bench", "xtask/stress"] {
+    for place in ["crates/bench", "xtask/stress", "xtask"] {
         for (path, text) in STAND_IN {
             let path = folder.path().join(place).join(path);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -54,6 +55,8 @@ fn flags_go_in_and_the_exit_code_comes_out() {
     check(&["bench", "scaling", "--short", "-x", "7"], 7, "crates/bench: scaling --short -x 7");
     check(&["stress", "--help"], 0, "xtask/stress: stress --help");
     check(&["bench", "error", "--list"], 0, "xtask/stress: bench error --list");
+    check(&["faults", "--list"], 0, "xtask: --list");
+    check(&["--root", "/nowhere", "faults", "9"], 9, "xtask: --root /nowhere 9");
     let expected = "xtask/stress: --root /nowhere stress --full 3";
     check(&["--root", "/nowhere", "stress", "--full", "3"], 3, expected);
 }
@@ -72,7 +75,9 @@ fn outside_of_the_repository_it_says_so() {
         "peers",
         "error",
     ];
-    for verb in benches.map(|name| vec!["bench", name]).into_iter().chain([vec!["stress"]]) {
+    for verb in
+        benches.map(|name| vec!["bench", name]).into_iter().chain([vec!["stress"], vec!["faults"]])
+    {
         let output = ask(folder.path(), &verb);
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{said}");

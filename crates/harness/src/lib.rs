@@ -16,6 +16,7 @@ pub mod counts;
 pub mod digest;
 pub mod encode;
 pub mod expectation;
+pub mod faults;
 pub mod filter;
 pub mod fixture;
 pub mod golden;

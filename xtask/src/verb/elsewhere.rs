@@ -22,21 +22,36 @@ const BENCH_MANIFEST: &str = "crates/bench/Cargo.toml";
 /// The command line of the exact oracle, in the repository.
 const STRESS_MANIFEST: &str = "xtask/stress/Cargo.toml";
 
+/// The command line of the renderer that can be wrong on purpose, in the
+/// repository, and how it is built.
+const FAULTS_MANIFEST: &str = "xtask/Cargo.toml";
+const FAULTS_BUILD: &[&str] = &["--features", "faults", "--bin", "xtask-faults"];
+
 /// Runs a bench of `crates/bench`, whose exit code is the answer.
 pub(crate) fn bench(name: &str, passed: &Passed) -> Result<Answer, CannotAsk> {
-    run(BENCH_MANIFEST, &format!("bench {name}"), [name.into()].into(), passed)
+    run(BENCH_MANIFEST, &[], &format!("bench {name}"), [name.into()].into(), passed)
 }
 
 /// Runs a verb of `xtask-stress`, whose exit code is the answer.
 pub(crate) fn stress(here: &Here, verb: &[&str], passed: &Passed) -> Result<Answer, CannotAsk> {
-    let root = here.root.iter().flat_map(|root| ["--root".into(), root.into()]);
-    let args = root.chain(verb.iter().map(OsString::from)).collect();
-    run(STRESS_MANIFEST, &verb.join(" "), args, passed)
+    let args = root(here).chain(verb.iter().map(OsString::from)).collect();
+    run(STRESS_MANIFEST, &[], &verb.join(" "), args, passed)
+}
+
+/// Runs `xtask-faults`, whose exit code is the answer.
+pub(crate) fn faults(here: &Here, passed: &Passed) -> Result<Answer, CannotAsk> {
+    run(FAULTS_MANIFEST, FAULTS_BUILD, "faults", root(here).collect(), passed)
+}
+
+/// The suite's folder as a flag, if it was named.
+fn root(here: &Here) -> impl Iterator<Item = OsString> {
+    here.root.iter().flat_map(|root| ["--root".into(), root.into()])
 }
 
 /// Builds the program of a manifest and runs it.
 fn run(
     manifest: &str,
+    build: &[&str],
     verb: &str,
     first: Vec<OsString>,
     Passed { args }: &Passed,
@@ -54,6 +69,7 @@ fn run(
     let status = Command::new(&cargo)
         .args(["run", "--release", "--locked", "--quiet", "--manifest-path"])
         .arg(path)
+        .args(build)
         .arg("--")
         .args(first)
         .args(args)
