@@ -45,9 +45,14 @@ fn radiances() {
 
 #[test]
 fn counts() {
-    let count = |pixels| Expectation::Count(Count { rgb: (255, 255, 255), pixels });
-    check(count(3), Ok(()));
-    check(count(4), Err("pixels of color (255, 255, 255): expected 4, found 3"));
+    let about = |pixels, within| Expectation::Count(Count { rgb: (255, 255, 255), pixels, within });
+    check(about(3, 0), Ok(()));
+    check(about(4, 0), Err("pixels of color (255, 255, 255): expected 4, found 3"));
+    check(about(4, 1), Ok(()));
+    check(about(2, 1), Ok(()));
+    check(about(5, 1), Err("pixels of color (255, 255, 255): expected 5 within 1, found 3"));
+    let is_problem = |pixels, within| !about(pixels, within).problems((3, 2)).is_empty();
+    assert!(!is_problem(5, 2) && is_problem(4, 2) && is_problem(0, 1) && !is_problem(0, 0));
 }
 
 #[test]
