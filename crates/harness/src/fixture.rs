@@ -25,6 +25,10 @@ pub struct Fixture {
     pub transfer: Transfer,
     /// The content that decides its picture.
     pub provenance: Provenance,
+    /// What was written.
+    pub file: SceneFile<Check>,
+    /// The text that it was read from.
+    pub text: String,
 }
 
 impl Fixture {
@@ -56,9 +60,15 @@ impl Fixture {
             Encoding::Srgb => Transfer::Srgb,
         };
         let check = loaded.file.check.clone().unwrap_or_default();
-        let provenance = provenance(loaded.file, assets.seen.into_inner())
+        let provenance = provenance(loaded.file.clone(), assets.seen.into_inner())
             .map_err(|error| format!("{name}: {error}\n"))?;
-        Ok(Self { scene: loaded.scene, check, transfer, provenance })
+        let (scene, file) = (loaded.scene, loaded.file);
+        Ok(Self { scene, check, transfer, provenance, file, text: text.to_owned() })
+    }
+
+    /// Where each object is written, by number.
+    pub fn object_places(&self) -> Vec<scene::Place> {
+        scene::object_places(&self.text, &self.file)
     }
 
     /// The picture before encoding.

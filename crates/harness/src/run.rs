@@ -6,6 +6,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use tracer::accel::Build;
 
+use crate::blame::blame;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden;
@@ -109,6 +110,12 @@ pub fn find_golden(path: &Path) -> Found {
 fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
     let judged = judge_fixture(suite, name);
     let Judged { rendered, found, judgment, render_ms, compare_ms } = judged;
+    let blamed = match (&rendered, found.picture()) {
+        (Ok((fixture, picture)), Some(golden)) if judgment.verdict != Verdict::Match => {
+            blame(fixture, golden, &picture.encoded)
+        }
+        _ => Vec::new(),
+    };
     let picture = rendered.ok().map(|(_, picture)| picture.encoded);
     let mut outcome = Outcome {
         name: name.to_owned(),
@@ -116,6 +123,7 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
         comparison: judgment.comparison,
+        blamed,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,
         compare_ms,
@@ -139,6 +147,7 @@ fn orphan(name: &str) -> Outcome {
         findings: vec![format!("there is no {}", Suite::fixture_label(name))],
         breaks_expectations: false,
         comparison: None,
+        blamed: Vec::new(),
         size: None,
         render_ms: 0.0,
         compare_ms: 0.0,

@@ -1,5 +1,6 @@
 //! `Verdict`: what is said of a fixture, and `Outcome`: why.
 
+use crate::blame::Blamed;
 use crate::metric::Comparison;
 
 /// What is said of a fixture. Everything but a match fails a run.
@@ -87,6 +88,8 @@ pub struct Outcome {
     pub breaks_expectations: bool,
     /// The metrics, where picture and golden could be compared.
     pub comparison: Option<Comparison>,
+    /// What the difference from the golden lies on, the most blamed first.
+    pub blamed: Vec<Blamed>,
     /// Width and height of the picture.
     pub size: Option<(u32, u32)>,
     /// How long reading and rendering took, in milliseconds.

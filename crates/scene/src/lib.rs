@@ -29,10 +29,12 @@ mod diagnose;
 pub mod format;
 mod load;
 mod mesh;
+mod places;
 mod report;
 
 pub use assets::{Assets, MAX_ASSET_BYTES, MAX_SCENE_BYTES, NoAssets, check_path};
 pub use diagnose::{Problem, Span, Step, line_column, nearest};
 pub use format::{Encoding, SceneFile, Unchecked, VERSION};
 pub use load::{Check, Loaded, load};
+pub use places::{Place, object_places};
 pub use report::report;

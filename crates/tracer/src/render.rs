@@ -3,10 +3,12 @@
 mod adaptive;
 mod film;
 mod filter;
+mod objects;
 mod pattern;
 mod samples;
 
 pub use filter::Filter;
+pub use objects::objects_seen;
 pub use samples::{Sampler, Samples};
 
 use std::ops::{Add, Mul};

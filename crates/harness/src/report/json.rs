@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::text::summarize;
+use crate::blame::Blamed;
 use crate::metric::{Comparison, DIFFERENCE_STEPS, METRICS};
 use crate::verdict::{Outcome, Verdict};
 
@@ -14,7 +15,9 @@ const SCHEMA: u32 = 1;
 /// `summary` has `total`, `green`, `elapsed_ms` and a count for each verdict,
 /// zeros included. A fixture has `name`, `verdict`, `findings`, `width`,
 /// `height`, `render_ms`, `compare_ms`, `strip`, `breaks_expectations`,
-/// `command` and every metric of [`comparison_json`]; what there is not is null.
+/// `command`, `blamed` and every metric of [`comparison_json`]; what there is not
+/// is null. `blamed` has, the most blamed first, `object` (its number), `kind`,
+/// `line` and `column`, all null for the background, with `pixels` and `share`.
 pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
     let summary = summarize(outcomes);
     let mut counts = Map::new();
@@ -41,9 +44,22 @@ fn fixture_json(outcome: &Outcome) -> Value {
     put("compare_ms", json!(outcome.compare_ms));
     put("strip", json!(outcome.strip));
     put("breaks_expectations", json!(outcome.breaks_expectations));
+    put("blamed", outcome.blamed.iter().map(blamed_json).collect());
     put("command", json!(outcome.remedy().map(|remedy| format!("cargo xtask {remedy}"))));
     fixture.extend(metrics(outcome.comparison.as_ref()));
     Value::Object(fixture)
+}
+
+fn blamed_json(blamed: &Blamed) -> Value {
+    let object = blamed.object.as_ref();
+    json!({
+        "object": object.map(|(number, _)| number),
+        "kind": object.map(|(_, place)| &place.kind),
+        "line": object.map(|(_, place)| place.line),
+        "column": object.map(|(_, place)| place.column),
+        "pixels": blamed.pixels,
+        "share": blamed.share,
+    })
 }
 
 /// A comparison: `{"schema":1, ...}` with every metric by name, where the worst

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use crate::blame::Blamed;
 use crate::metric::{Comparison, METRICS};
+use crate::suite::Suite;
 use crate::verdict::{Outcome, Verdict};
 
 /// Where a report is read: what to put into paths and commands so that they
@@ -30,6 +32,7 @@ pub struct Reader {
 ///     findings: vec!["there is no golden".to_owned()],
 ///     breaks_expectations: false,
 ///     comparison: None,
+///     blamed: vec![],
 ///     size: Some((64, 48)),
 ///     render_ms: 1.0,
 ///     compare_ms: 0.0,
@@ -42,8 +45,7 @@ pub struct Reader {
 /// );
 /// ```
 pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
-    const SHOWN: usize = 3;
-    let Outcome { name, verdict, findings, comparison, strip, .. } = outcome;
+    let Outcome { name, verdict, findings, comparison, blamed, strip, .. } = outcome;
     let head = format!("{:<19} {name}", verdict.words());
     if *verdict == Verdict::RenderRefused {
         let details = findings.iter().flat_map(|f| f.lines()).map(|line| format!("    {line}\n"));
@@ -61,6 +63,10 @@ pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
     if let Some(comparison) = comparison.as_ref().filter(|c| !c.is_identical()) {
         parts.push(numbers(comparison));
     }
+    if !blamed.is_empty() {
+        let shown = blamed.iter().take(SHOWN).map(|blamed| blame_words(name, blamed, reader));
+        parts.push(format!("on {}", shown.collect::<Vec<_>>().join(", ")));
+    }
     if let Some(strip) = strip {
         parts.push(format!("see {}{strip}", reader.path_prefix));
     }
@@ -71,6 +77,22 @@ pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
         parts.push("mend the scene, the tracer, or what the fixture expects".to_owned());
     }
     if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
+}
+
+/// Of findings, and of objects that are blamed.
+const SHOWN: usize = 3;
+
+/// `the Sphere of fixtures/a.ron:14:9 (62 %)`.
+fn blame_words(name: &str, blamed: &Blamed, reader: &Reader) -> String {
+    let percent = (100.0 * blamed.share).round();
+    match &blamed.object {
+        None => format!("the background ({percent} %)"),
+        Some((_, place)) => {
+            let (file, prefix) = (Suite::fixture_label(name), &reader.path_prefix);
+            let scene::Place { kind, line, column } = place;
+            format!("the {kind} of {prefix}{file}:{line}:{column} ({percent} %)")
+        }
+    }
 }
 
 /// The numbers of a comparison that say most, in one line.
