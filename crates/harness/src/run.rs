@@ -11,6 +11,7 @@ use crate::fixture::Fixture;
 use crate::golden;
 use crate::judge::{Found, Judgment, judge};
 use crate::picture::strip;
+use crate::relation;
 use crate::store::{self, StoreError};
 use crate::suite::{Selection, Suite};
 use crate::verdict::{Outcome, Verdict};
@@ -62,6 +63,8 @@ pub struct Judged {
     pub render_ms: f64,
     /// How long reading the golden and comparing took, in milliseconds.
     pub compare_ms: f64,
+    /// How long related scenes took, in milliseconds.
+    pub relate_ms: f64,
 }
 
 /// Renders a fixture and judges it; writes nothing.
@@ -77,10 +80,16 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
             verdict: Verdict::RenderRefused,
             findings: vec![why.clone()],
             breaks_expectations: false,
+            broken_relations: Vec::new(),
             comparison: None,
         },
     };
-    Judged { rendered, found, judgment, render_ms, compare_ms: milliseconds_since(started) }
+    let compare_ms = milliseconds_since(started);
+    let started = Instant::now();
+    let broken = rendered.as_ref().map(|(fixture, picture)| relation::broken(fixture, picture));
+    let judgment = judgment.with_relations(broken.unwrap_or_default());
+    let relate_ms = milliseconds_since(started);
+    Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms }
 }
 
 /// The fixture and its picture.
@@ -108,17 +117,19 @@ pub fn find_golden(path: &Path) -> Found {
 
 fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
     let judged = judge_fixture(suite, name);
-    let Judged { rendered, found, judgment, render_ms, compare_ms } = judged;
+    let Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms } = judged;
     let picture = rendered.ok().map(|(_, picture)| picture.encoded);
     let mut outcome = Outcome {
         name: name.to_owned(),
         verdict: judgment.verdict,
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
+        breaks_relations: !judgment.broken_relations.is_empty(),
         comparison: judgment.comparison,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,
         compare_ms,
+        relate_ms,
         strip: None,
     };
     if let (Some(picture), false) = (picture, outcome.verdict == Verdict::Match) {
@@ -138,10 +149,12 @@ fn orphan(name: &str) -> Outcome {
         verdict: Verdict::OrphanGolden,
         findings: vec![format!("there is no {}", Suite::fixture_label(name))],
         breaks_expectations: false,
+        breaks_relations: false,
         comparison: None,
         size: None,
         render_ms: 0.0,
         compare_ms: 0.0,
+        relate_ms: 0.0,
         strip: None,
     }
 }

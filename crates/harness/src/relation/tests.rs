@@ -1,0 +1,1 @@
+//! Each relation met, and each one broken.
