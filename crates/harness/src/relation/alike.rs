@@ -23,10 +23,9 @@ pub(super) struct Alike {
     pub(super) edge_pixels: u32,
 }
 
-/// A `within` that a fixture may leave out: a few roundings of sizes that are a
-/// million times larger than what they are of.
+/// A `within` that a fixture may leave out: a few roundings.
 pub(super) fn few_roundings() -> f64 {
-    1e-9
+    1e-12
 }
 
 impl Alike {
