@@ -13,6 +13,7 @@
 mod alike;
 mod crop;
 mod exposure;
+mod flatten_groups;
 mod identity_group;
 mod mirror;
 mod motion;
@@ -22,19 +23,23 @@ mod objects;
 mod permute_objects;
 mod quarter_turn;
 mod scale_units;
+mod scale_window;
 mod split_boxes;
 mod sum_of_lights;
 mod threads;
 mod translate;
+mod window;
 
 pub use alike::{LOOSEST, MOST_EDGES};
 pub use crop::Crop;
 pub use exposure::Exposure;
+pub use flatten_groups::FlattenGroups;
 pub use mirror::Mirror;
 pub use motion::Axis;
 pub use permute_objects::PermuteObjects;
 pub use quarter_turn::QuarterTurn;
 pub use scale_units::ScaleUnits;
+pub use scale_window::ScaleWindow;
 pub use split_boxes::SplitBoxes;
 pub use sum_of_lights::SumOfLights;
 pub use translate::Translate;
@@ -132,8 +137,12 @@ relations! {
         Mirror,
         /// In other units of length a scene looks the same.
         ScaleUnits,
+        /// A window as much larger as it is farther away shows the same.
+        ScaleWindow,
         /// A box looks like its twelve triangles.
         SplitBoxes,
+        /// A shape in a group looks like one that lies where the group puts it.
+        FlattenGroups,
         /// The order of objects does not matter.
         PermuteObjects,
         /// All lights together give what each gives alone, added up.

@@ -70,12 +70,13 @@ impl Relate for SplitBoxes {
     }
 }
 
-fn is_thick(min: Triple, max: Triple) -> bool {
+/// Whether every face has an area.
+pub(super) fn is_thick(min: Triple, max: Triple) -> bool {
     min.iter().zip(max).all(|(&lo, hi)| lo < hi)
 }
 
 /// Two triangles for each face, counter-clockwise as seen from outside.
-fn triangles(min: Triple, max: Triple) -> Vec<[Triple; 3]> {
+pub(super) fn triangles(min: Triple, max: Triple) -> Vec<[Triple; 3]> {
     let mut all = Vec::new();
     for axis in 0..3 {
         let (right, up) = ((axis + 1) % 3, (axis + 2) % 3);

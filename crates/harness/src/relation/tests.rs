@@ -54,7 +54,9 @@ const RELATIONS: &[&str] = &[
     "Mirror(axis: Y)",
     "Mirror(axis: Z)",
     "ScaleUnits(by: 3)",
+    "ScaleWindow(by: 3)",
     "SplitBoxes()",
+    "FlattenGroups()",
     "PermuteObjects()",
     "SumOfLights()",
     "Exposure(by: 2)",
@@ -226,6 +228,9 @@ fn every_camera_can_be_cropped() {
         {
             holds(&scene, &format!("Crop({crop})"));
         }
+        if !camera.starts_with("Parallel") {
+            holds(&scene, "ScaleWindow(by: 0.3)");
+        }
     }
 }
 
@@ -254,6 +259,48 @@ fn boxes_become_triangles_that_face_outward() {
     let size = max - min;
     let faces = 2.0 * DVec3::new(size.y * size.z, size.x * size.z, size.x * size.y);
     assert!((areas - faces).length() < 1e-12, "{areas} {faces}");
+}
+
+#[test]
+fn shapes_are_put_where_their_groups_put_them() {
+    let file = fixture(SCENE, "Threads").file;
+    let (flat, taken_out) = FlattenGroups::related(&file);
+    // The box; the ball is no ball any more.
+    assert_eq!((taken_out, flat.objects.len()), (1, 7 + 12 + 1 + 1));
+    let inside = |steps: &str| {
+        let own = "Translate(0.9, -0.4, 1.1)],\n            objects: [";
+        assert!(SCENE.contains(own));
+        let all = "Plane(point: (0, -1, 0), normal: (0, 1, 0.1)), Sphere(center: (0.3, 0.2, 0), \
+                   radius: 0.5), Disk(center: (0.5, 0.4, 1), normal: (1, 2, 3), radius: 0.6), \
+                   Cone(apex: (-1, 1, 0), base: (-1, 0, 0.5), radius: 0.4, open: true), \
+                   Torus(center: (1, 0.5, 0), axis: (1, 1, 2), major_radius: 0.5, minor_radius: \
+                   0.2), Cylinder(a: (0, -1, 1), b: (0.4, -0.6, 1.2), radius: 0.3, open: true), \
+                   Triangle(a: (0, 0, 1.5), b: (1, 0.2, 1.5), c: (0.2, 0.9, 1.2)),";
+        let grown = SCENE.replace(own, &format!("{own}{all}"));
+        grown.replace("Scale(0.7, 0.4, 0.5)", steps)
+    };
+    for (steps, expected) in
+        [("Scale(0.8, 0.8, 0.8)", 9), ("Scale(-0.8, 0.8, 0.8)", 9), ("Scale(0.8, 0.9, -0.8)", 3)]
+    {
+        let scene = inside(steps);
+        assert_eq!(FlattenGroups::related(&fixture(&scene, "Threads").file).1, expected, "{steps}");
+        holds(&scene, "FlattenGroups()");
+        let normals = scene.replace("shading: Attenuated", "show: Normals");
+        holds(&normals, "FlattenGroups()");
+    }
+    // Each step counts, and their order.
+    let picture = fixture(SCENE, "Threads").render_linear();
+    for (from, to) in [
+        ("RotateDeg(10, 25, 40)", "RotateDeg(25, 10, 40)"),
+        (
+            "Scale(0.7, 0.4, 0.5), RotateDeg(10, 25, 40)",
+            "RotateDeg(10, 25, 40), Scale(0.7, 0.4, 0.5)",
+        ),
+        ("Translate(0.9, -0.4, 1.1)", "Translate(0.9, -0.4, 1.2)"),
+    ] {
+        let other = SCENE.replace(from, to);
+        assert!(said(&fixture(&other, "FlattenGroups()"), &picture).is_err(), "{from}");
+    }
 }
 
 #[test]

@@ -30,6 +30,18 @@ fn what_a_relation_works_on_must_be_there() {
     for relation in ["Translate(by: (1, 0, 0))", "QuarterTurn(axis: X)", "Mirror(axis: X)"] {
         check(EMPTY, relation, "expected an object, found none");
     }
+    let grouped = BALL.replace(
+        "Sphere(center: (0, 0, 0), radius: 1)",
+        "Group(transform: \
+        [Scale(1, 2, 1)], objects: [Sphere(center: (0, 0, 0), radius: 1)])",
+    );
+    for scene in [EMPTY, BALL, CARD, &grouped] {
+        let expected =
+            "expected a shape in a group that can be put where it is without, found none";
+        check(scene, "FlattenGroups()", expected);
+    }
+    let parallel = "expected a perspective camera, as a parallel one's window has no distance";
+    check(BALL, "ScaleWindow(by: 2)", parallel);
     for relation in ["ScaleUnits(by: 2)", "IdentityGroup", "NoSkipping"] {
         check(EMPTY, relation, "expected an object, found none");
     }
@@ -57,6 +69,8 @@ fn a_relation_that_does_nothing_is_none() {
     for by in ["1", "0", "-2", "inf", "NaN"] {
         check(BALL, &format!("ScaleUnits(by: {by})"), &format!("{factor}{by}"));
         check(BALL, &format!("Exposure(by: {by})"), &format!("{factor}{by}"));
+        let perspective = BALL.replace("Parallel", "Perspective");
+        check(&perspective, &format!("ScaleWindow(by: {by})"), &format!("{factor}{by}"));
     }
     let way = "`by`: expected three finite numbers, not all 0, found ";
     check(BALL, "Translate(by: (0, -0, 0))", &format!("{way}[0.0, -0.0, 0.0]"));
@@ -81,6 +95,7 @@ fn what_cannot_be_related_is_said() {
     let own = "expected a picture that does not show numbers of objects, as triangles have their \
                own";
     check(&with("show: ObjectIds"), "SplitBoxes()", own);
+    check(&with("show: ObjectIds"), "FlattenGroups()", own);
     let lit = "expected a shaded picture, as others do not show light";
     check(&with("show: Normals"), "SumOfLights()", lit);
     let exposed = "expected a shaded picture with an exposure above 0, as no other is exposed";
@@ -94,7 +109,7 @@ fn what_cannot_be_related_is_said() {
     check(&with("filter: Tent()"), "Crop(at: (0, 0), size: (2, 2))", place);
     let error = "expected a scene without `error`, as other pictures have other samples";
     for relation in
-        ["Crop(at: (0, 0), size: (2, 2))", "Exposure(by: 2)", "SumOfLights()", "SplitBoxes()"]
+        ["Crop(at: (0, 0), size: (2, 2))", "Exposure(by: 2)", "SumOfLights()", "FlattenGroups()"]
     {
         check(&with("error: 0.01"), relation, error);
     }
