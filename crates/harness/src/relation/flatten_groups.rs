@@ -31,7 +31,7 @@ impl FlattenGroups {
     /// shapes were taken out.
     pub(super) fn related(file: &File) -> (File, usize) {
         let mut flat = Flat { objects: Vec::new(), taken_out: 0 };
-        flat.add_all(&file.objects, &Place::default());
+        flat.add_all(&file.objects, None);
         (File { objects: flat.objects, ..file.clone() }, flat.taken_out)
     }
 }
@@ -65,7 +65,6 @@ impl Relate for FlattenGroups {
 }
 
 /// Where a group is, and what it is made of.
-#[derive(Default)]
 struct Place {
     /// Its steps, then those of the groups around it.
     steps: Vec<Transform>,
@@ -78,33 +77,35 @@ struct Flat {
 }
 
 impl Flat {
-    fn add_all(&mut self, objects: &[Object], place: &Place) {
+    /// Adds what is in a group, or in none.
+    fn add_all(&mut self, objects: &[Object], group: Option<&Place>) {
         for object in objects {
-            let material = object.material().or(place.material.as_ref()).cloned();
+            let inherited = group.and_then(|group| group.material.as_ref());
+            let material = object.material().or(inherited).cloned();
             if let Object::Group { transform, objects, .. } = object {
-                let steps = transform.iter().chain(&place.steps).copied().collect();
-                self.add_all(objects, &Place { steps, material });
+                let outer = group.map_or(&[][..], |group| &group.steps);
+                let steps = transform.iter().chain(outer).copied().collect();
+                self.add_all(objects, Some(&Place { steps, material }));
             } else {
                 let mut shape = object.clone();
                 *shape.material_mut() = material;
-                self.add(shape, &place.steps);
+                self.add(shape, group);
             }
         }
     }
 
-    fn add(&mut self, shape: Object, steps: &[Transform]) {
+    fn add(&mut self, shape: Object, group: Option<&Place>) {
+        let Some(Place { steps, .. }) = group else {
+            self.objects.push(shape);
+            return;
+        };
         let map = steps.iter().fold(DAffine3::IDENTITY, |map, step| affine(step) * map);
-        match put(&shape, map) {
-            _ if steps.is_empty() => self.objects.push(shape),
-            Some(there) => {
-                self.objects.extend(there);
-                self.taken_out += 1;
-            }
-            None => self.objects.push(Object::Group {
-                transform: steps.to_vec(),
-                objects: vec![shape],
-                material: None,
-            }),
+        if let Some(there) = put(&shape, map) {
+            self.objects.extend(there);
+            self.taken_out += 1;
+        } else {
+            let (transform, objects) = (steps.clone(), vec![shape]);
+            self.objects.push(Object::Group { transform, objects, material: None });
         }
     }
 }
