@@ -1,11 +1,14 @@
 //! The invariants of `ARCHITECTURE.md` that can be read off the sources.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use conformance::{repository, repository_suite};
 use harness::fixture::{Build, Fixture};
+use harness::relation::Relation;
+use harness::suite::Suite;
 use harness::{golden, judge, picture, run, sample_mesh};
 
 /// Every Rust file below a folder of the repository, with its text.
@@ -141,6 +144,23 @@ fn the_fixtures_in_the_documents_are_good_and_keep_their_word() {
         assert!(!fixture.check.expect.is_empty(), "{document}");
         let picture = fixture.render().unwrap();
         assert_eq!(judge::broken_expectations(&fixture, &picture), [""; 0], "{document}");
+    }
+}
+
+#[test]
+fn every_relation_is_asked_of_several_fixtures() {
+    let suite = repository_suite();
+    let mut counts = BTreeMap::new();
+    for name in suite.select(&[]).unwrap().fixtures {
+        let path = suite.fixture_path(&name);
+        let fixture = Fixture::open(&Suite::fixture_label(&name), &path, Build::Bvh).unwrap();
+        for relation in &fixture.check.relations {
+            *counts.entry(relation.name()).or_insert(0) += 1;
+        }
+    }
+    for name in Relation::NAMES {
+        let found = counts.get(name).copied().unwrap_or(0);
+        assert!(found >= 4, "{name}: expected four fixtures or more that say it, found {found}");
     }
 }
 

@@ -201,6 +201,54 @@ fn a_broken_expectation_outranks_a_missing_note() {
     check(both, "expectation_failed");
 }
 
+/// [`SQUARE`] with a half of it twice: the order decides which color it has.
+fn tie() -> String {
+    let left = "Box(min: (-1, -1, -1), max: (0, 1, 1), material: Constant(color: (1, 0, 0)))";
+    let colored = SQUARE.replace("Silhouette", "SurfaceColor");
+    let twice = colored.replace("objects: [", &format!("objects: [{left}, "));
+    twice.replace("pixels: 64", "pixels: 32")
+}
+
+#[test]
+fn a_broken_relation_is_said_although_the_golden_matches() {
+    let related = |text: &str, relations: &str| {
+        text.replace("check: (", &format!("check: (relations: [{relations}], "))
+    };
+    let scratch = Scratch::blessed(&[("a", &tie())]);
+    assert_eq!(scratch.verdicts(), [("a".to_owned(), "match")]);
+    scratch.set_fixture("a", &related(&tie(), "IdentityGroup, NoAccelerator"));
+    assert_eq!(scratch.verdicts(), [("a".to_owned(), "match")]);
+    scratch.set_fixture("a", &related(&tie(), "IdentityGroup, PermuteObjects()"));
+    let outcome = &outcomes(&scratch)[0];
+    assert_eq!(outcome.verdict.id(), "relation_failed");
+    let found = "relation PermuteObjects(): pixel (4, 2): expected [1.0, 0.0, 0.0], found \
+                 [1.0, 1.0, 1.0]; 32 of 192 pixels differ";
+    assert_eq!(outcome.findings, [found]);
+    assert_eq!(outcome.remedy(), None, "blessing would be refused");
+
+    // Expectations come first, and both are said.
+    let both = related(&tie(), "PermuteObjects()").replace("pixels: 32", "pixels: 33");
+    scratch.set_fixture("a", &both);
+    let outcome = &outcomes(&scratch)[0];
+    assert_eq!((outcome.verdict.id(), outcome.findings.len()), ("expectation_failed", 2));
+
+    // Whatever else is wrong, relations are said as well, and nothing is blessed.
+    scratch.set_fixture("a", &related(&tie(), "PermuteObjects()"));
+    store::remove(&scratch.suite().golden_path("a")).unwrap();
+    let outcome = &outcomes(&scratch)[0];
+    assert_eq!((outcome.verdict.id(), outcome.findings.len()), ("missing_golden", 2));
+    assert_eq!(outcome.remedy(), None);
+    let selection = scratch.suite().select(&[]).unwrap();
+    let blessed = harness::bless::bless(scratch.suite(), &selection, false, &|_, _| ());
+    assert_eq!(blessed[0].1, Blessed::Refused(vec![found.to_owned()]));
+}
+
+#[test]
+fn relations_do_not_make_a_golden_stale() {
+    let related = SQUARE.replace("check: (", "check: (relations: [Translate(by: (1, 2, 4))], ");
+    check(|s| s.set_fixture("a", &related), "match");
+}
+
 #[test]
 fn outcomes_are_in_the_order_of_names_orphans_among_them() {
     let scratch = Scratch::blessed(&[("b", SQUARE), ("d", SQUARE)]);
@@ -234,6 +282,11 @@ fn a_check_that_makes_no_sense_is_refused_with_its_place() {
             "expected a number from 1 to 254",
         ),
         ("pixels: 64)", "pixels: 64), Pixel(at: (16, 0), rgb: (0, 0, 0))", "which is 16 x 12"),
+        (
+            "check: (",
+            "check: (relations: [SumOfLights()], ",
+            "expected two lights or more, found 0",
+        ),
     ] {
         let scratch = Scratch::blessed(&[("a", SQUARE)]);
         scratch.set_fixture("a", &SQUARE.replace(from, to));

@@ -84,7 +84,7 @@ impl Ran {
 
 /// What changes from run to run, made plain.
 fn plain(json: &str) -> String {
-    let times = ["render_ms", "compare_ms", "elapsed_ms"];
+    let times = ["render_ms", "compare_ms", "relate_ms", "elapsed_ms"];
     let plain = |line: &str| match times.iter().find(|key| line.contains(&format!("\"{key}\""))) {
         Some(key) => format!("      {key}: [a time]"),
         None => line.to_owned(),
@@ -157,6 +157,28 @@ fn the_shape_of_the_json() {
     tree.run(&["check", "--json", "out/all.json"]).expect_code(1);
     let json = fs::read_to_string(tree.path("out/all.json")).unwrap();
     insta::assert_snapshot!(plain(&json));
+}
+
+#[test]
+fn a_relation_that_fails_is_said_and_not_blessed() {
+    // Two squares at one place: which one is seen follows from their order.
+    let tie = SQUARE.replace("Silhouette", "SurfaceColor").replace(
+        "objects: [",
+        "check: (relations: [PermuteObjects()]),
+    objects: [Box(min: (-1, -1, -1), max: (0, 1, 1), material: Constant(color: (1, 0, 0))), ",
+    );
+    let tree = Tree::new(&[("a", &tie)]);
+    let found = "relation PermuteObjects(): pixel (4, 2): expected [1.0, 0.0, 0.0], found \
+                 [1.0, 1.0, 1.0]; 32 of 192 pixels differ";
+    tree.run(&["bless", "--all"]).expect_code(1).expect("refused   a: ").expect(found);
+    let apart = tie.replace("-1, -1, -1), max: (0, 1, 1)", "-1, -1, -1), max: (0, 1, 1.5)");
+    tree.write("fixtures/a.ron", apart.as_bytes());
+    tree.run(&["bless", "--all"]).expect_code(0);
+    tree.run(&["check"]).expect_code(0).expect("1 judged: 1 match");
+    let none = apart.replace("PermuteObjects()", "SumOfLights()");
+    tree.write("fixtures/a.ron", none.as_bytes());
+    let ran = tree.run(&["check"]).expect_code(1);
+    ran.expect("fixtures/a.ron:7:").expect("SumOfLights: expected two lights or more, found 0");
 }
 
 #[test]

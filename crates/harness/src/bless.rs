@@ -37,8 +37,8 @@ pub enum Blessed {
 /// removes selected goldens without a fixture if `prune`. Each golden is
 /// written whole or not at all. `on_done` hears of each, from any thread.
 ///
-/// A picture that breaks an expectation of its fixture is refused, and so is a
-/// fixture with problems; the others are accepted all the same.
+/// A picture that breaks an expectation or a relation of its fixture is refused,
+/// and so is a fixture with problems; the others are accepted all the same.
 pub fn bless(
     suite: &Suite,
     selection: &Selection,
@@ -70,8 +70,10 @@ fn bless_fixture(suite: &Suite, name: &str) -> Blessed {
         Ok(rendered) => rendered,
         Err(why) => return Blessed::Refused(vec![why]),
     };
-    if judgment.breaks_expectations {
-        return Blessed::Refused(broken_expectations(&fixture, &picture));
+    if judgment.breaks_expectations || !judgment.broken_relations.is_empty() {
+        let mut broken = broken_expectations(&fixture, &picture);
+        broken.extend(judgment.broken_relations);
+        return Blessed::Refused(broken);
     }
     if judgment.verdict == Verdict::Match {
         return Blessed::Untouched;

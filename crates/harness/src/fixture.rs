@@ -1,14 +1,15 @@
 //! `Fixture`: a scene file with its check, ready to be rendered and judged.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use scene::{Assets, Encoding, MAX_SCENE_BYTES, SceneFile};
+use scene::{Assets, Encoding, MAX_SCENE_BYTES};
 pub use tracer::Skipping;
 pub use tracer::accel::Build;
 use tracer::{LinearImage, Plan, Scene, Stats, render, render_counted};
 
-use crate::check::Check;
+use crate::check::{Check, File};
 use crate::encode::{Transfer, encode};
 use crate::expectation::Rendered;
 use crate::golden::Provenance;
@@ -25,8 +26,11 @@ pub struct Fixture {
     pub transfer: Transfer,
     /// The content that decides its picture.
     pub provenance: Provenance,
-    /// What was written.
-    pub file: SceneFile<Check>,
+    /// What was written, without its check.
+    pub(crate) file: File,
+    /// What else related scenes are made of.
+    assets: BTreeMap<String, Vec<u8>>,
+    build: Build,
     /// The text that it was read from.
     pub text: String,
 }
@@ -52,23 +56,50 @@ impl Fixture {
     /// # Errors
     /// Everything that is wrong with it, as text for people.
     pub fn read(name: &str, text: &str, assets: &dyn Assets, build: Build) -> Result<Self, String> {
-        let assets = Hashing { inner: assets, seen: RefCell::default() };
-        let loaded = scene::load::<Check>(text, &assets, build)
+        let assets = Hashing { inner: assets, seen: RefCell::default(), kept: RefCell::default() };
+        let scene::Loaded { mut file, scene } = scene::load::<Check>(text, &assets, build)
             .map_err(|problems| scene::report(name, text, &problems))?;
-        let transfer = match loaded.file.encoding {
+        let transfer = match file.encoding {
             Encoding::Gamma22 => Transfer::Gamma22,
             Encoding::Srgb => Transfer::Srgb,
         };
-        let check = loaded.file.check.clone().unwrap_or_default();
-        let provenance = provenance(loaded.file.clone(), assets.seen.into_inner())
+        let check = file.check.take().unwrap_or_default();
+        let provenance = provenance(&file, assets.seen.into_inner())
             .map_err(|error| format!("{name}: {error}\n"))?;
-        let (scene, file) = (loaded.scene, loaded.file);
-        Ok(Self { scene, check, transfer, provenance, file, text: text.to_owned() })
+        let mut assets = assets.kept.into_inner();
+        if check.relations.is_empty() {
+            assets.clear();
+        }
+        let text = text.to_owned();
+        Ok(Self { scene, check, transfer, provenance, file, assets, build, text })
     }
 
     /// Where each object is written, by number.
     pub fn object_places(&self) -> Vec<scene::Place> {
         scene::object_places(&self.text, &self.file)
+    }
+
+    /// The picture, before encoding, of what became of this fixture's file.
+    ///
+    /// # Errors
+    /// Why that is no scene.
+    pub(crate) fn render_related(&self, file: &File) -> Result<LinearImage, String> {
+        self.render_related_by(file, self.build)
+    }
+
+    /// The same with this accelerator.
+    ///
+    /// # Errors
+    /// Why that is no scene.
+    pub(crate) fn render_related_by(
+        &self,
+        file: &File,
+        build: Build,
+    ) -> Result<LinearImage, String> {
+        let scene = scene::recompile(file, &self.assets, build);
+        let scene =
+            scene.map_err(|why| format!("the related scene is refused: {}", why.join("; ")))?;
+        Ok(render(&scene))
     }
 
     /// The picture before encoding.
@@ -109,10 +140,11 @@ impl Fixture {
 /// Files by name, each with the hash of its content.
 type Seen = Vec<(String, blake3::Hash)>;
 
-fn provenance(file: SceneFile<Check>, mut assets: Seen) -> Result<Provenance, serde_json::Error> {
-    // The canonical text of the parsed scene: no comments, no spaces, fields in
-    // the format's order, what is at its default left out.
-    let scene = serde_json::to_string(&file.without_check())?;
+fn provenance(file: &File, mut assets: Seen) -> Result<Provenance, serde_json::Error> {
+    // The canonical text of the parsed scene, whose check was taken out: no
+    // comments, no spaces, fields in the format's order, what is at its default
+    // left out.
+    let scene = serde_json::to_string(file)?;
     assets.sort_by(|a, b| a.0.cmp(&b.0));
     assets.dedup();
     let mut listing = String::new();
@@ -133,12 +165,14 @@ fn short_hash(text: &str) -> String {
 struct Hashing<'a> {
     inner: &'a dyn Assets,
     seen: RefCell<Seen>,
+    kept: RefCell<BTreeMap<String, Vec<u8>>>,
 }
 
 impl Assets for Hashing<'_> {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         let bytes = self.inner.read(path)?;
         self.seen.borrow_mut().push((path.to_owned(), blake3::hash(&bytes)));
+        self.kept.borrow_mut().insert(path.to_owned(), bytes.clone());
         Ok(bytes)
     }
 }

@@ -40,6 +40,8 @@ pub struct Judgment {
     pub findings: Vec<String>,
     /// Whether the picture breaks what its fixture expects.
     pub breaks_expectations: bool,
+    /// The relations that the picture breaks, in words.
+    pub broken_relations: Vec<String>,
     /// The metrics, where they could be had.
     pub comparison: Option<Comparison>,
 }
@@ -47,6 +49,8 @@ pub struct Judgment {
 /// Judges a picture. Where several things are wrong, the verdict is the first
 /// of: unreadable golden, missing golden, stale golden, wrong size, differs,
 /// broken expectation, golden without provenance; all of them are findings.
+/// Nothing is rendered: relations are asked by [`crate::relation::broken`], and
+/// come after all these.
 pub fn judge(fixture: &Fixture, picture: &Rendered, found: &Found) -> Judgment {
     let broken = broken_expectations(fixture, picture);
     let (verdict, mut findings, comparison) = against_golden(fixture, picture, found);
@@ -60,7 +64,21 @@ pub fn judge(fixture: &Fixture, picture: &Rendered, found: &Found) -> Judgment {
     };
     let breaks_expectations = !broken.is_empty();
     findings.extend(broken);
-    Judgment { verdict, findings, breaks_expectations, comparison }
+    Judgment { verdict, findings, breaks_expectations, broken_relations: Vec::new(), comparison }
+}
+
+impl Judgment {
+    /// The same with the relations that the picture breaks: they are findings,
+    /// and the verdict where it would be a match.
+    #[must_use]
+    pub fn with_relations(mut self, broken: Vec<String>) -> Self {
+        if self.verdict == Verdict::Match && !broken.is_empty() {
+            self.verdict = Verdict::RelationFailed;
+        }
+        self.findings.extend(broken.iter().cloned());
+        self.broken_relations = broken;
+        self
+    }
 }
 
 /// The expectations that the picture breaks, in words.

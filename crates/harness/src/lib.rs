@@ -27,6 +27,7 @@ pub mod metric;
 pub mod overrides;
 pub mod picture;
 pub mod picture_file;
+pub mod relation;
 pub mod report;
 pub mod run;
 pub mod sample_mesh;

@@ -12,6 +12,7 @@ use crate::fixture::Fixture;
 use crate::golden;
 use crate::judge::{Found, Judgment, judge};
 use crate::picture::strip;
+use crate::relation;
 use crate::store::{self, StoreError};
 use crate::suite::{Selection, Suite};
 use crate::verdict::{Outcome, Verdict};
@@ -63,6 +64,8 @@ pub struct Judged {
     pub render_ms: f64,
     /// How long reading the golden and comparing took, in milliseconds.
     pub compare_ms: f64,
+    /// How long related scenes took, in milliseconds.
+    pub relate_ms: f64,
 }
 
 /// Renders a fixture and judges it; writes nothing.
@@ -78,10 +81,16 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
             verdict: Verdict::RenderRefused,
             findings: vec![why.clone()],
             breaks_expectations: false,
+            broken_relations: Vec::new(),
             comparison: None,
         },
     };
-    Judged { rendered, found, judgment, render_ms, compare_ms: milliseconds_since(started) }
+    let compare_ms = milliseconds_since(started);
+    let started = Instant::now();
+    let broken = rendered.as_ref().map(|(fixture, picture)| relation::broken(fixture, picture));
+    let judgment = judgment.with_relations(broken.unwrap_or_default());
+    let relate_ms = milliseconds_since(started);
+    Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms }
 }
 
 /// The fixture and its picture.
@@ -109,7 +118,7 @@ pub fn find_golden(path: &Path) -> Found {
 
 fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
     let judged = judge_fixture(suite, name);
-    let Judged { rendered, found, judgment, render_ms, compare_ms } = judged;
+    let Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms } = judged;
     let blamed = match (&rendered, found.picture()) {
         (Ok((fixture, picture)), Some(golden)) if judgment.verdict != Verdict::Match => {
             blame(fixture, golden, &picture.encoded)
@@ -122,11 +131,13 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
         verdict: judgment.verdict,
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
+        breaks_relations: !judgment.broken_relations.is_empty(),
         comparison: judgment.comparison,
         blamed,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,
         compare_ms,
+        relate_ms,
         strip: None,
     };
     if let (Some(picture), false) = (picture, outcome.verdict == Verdict::Match) {
@@ -146,11 +157,13 @@ fn orphan(name: &str) -> Outcome {
         verdict: Verdict::OrphanGolden,
         findings: vec![format!("there is no {}", Suite::fixture_label(name))],
         breaks_expectations: false,
+        breaks_relations: false,
         comparison: None,
         blamed: Vec::new(),
         size: None,
         render_ms: 0.0,
         compare_ms: 0.0,
+        relate_ms: 0.0,
         strip: None,
     }
 }

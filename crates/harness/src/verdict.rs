@@ -12,6 +12,9 @@ pub enum Verdict {
     Differs,
     /// The picture is its golden, but not what the fixture expects on paper.
     ExpectationFailed,
+    /// The picture is its golden and as expected, but not as like the picture
+    /// of a related scene as the fixture says.
+    RelationFailed,
     /// There is no golden.
     MissingGolden,
     /// There is a golden but no fixture.
@@ -29,10 +32,11 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, the good one first.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Match,
         Self::Differs,
         Self::ExpectationFailed,
+        Self::RelationFailed,
         Self::MissingGolden,
         Self::OrphanGolden,
         Self::WrongSize,
@@ -47,6 +51,7 @@ impl Verdict {
             Self::Match => "match",
             Self::Differs => "differs",
             Self::ExpectationFailed => "expectation_failed",
+            Self::RelationFailed => "relation_failed",
             Self::MissingGolden => "missing_golden",
             Self::OrphanGolden => "orphan_golden",
             Self::WrongSize => "wrong_size",
@@ -86,6 +91,8 @@ pub struct Outcome {
     /// Whether the picture breaks what its fixture expects, so that it cannot
     /// be accepted, whatever the verdict.
     pub breaks_expectations: bool,
+    /// Whether the picture breaks a relation of its fixture, likewise.
+    pub breaks_relations: bool,
     /// The metrics, where picture and golden could be compared.
     pub comparison: Option<Comparison>,
     /// What the difference from the golden lies on, the most blamed first.
@@ -96,6 +103,8 @@ pub struct Outcome {
     pub render_ms: f64,
     /// How long reading the golden and comparing took, in milliseconds.
     pub compare_ms: f64,
+    /// How long related scenes took, in milliseconds.
+    pub relate_ms: f64,
     /// Where a picture of the failure was put, relative to the suite.
     pub strip: Option<String>,
 }
@@ -107,11 +116,17 @@ impl Outcome {
         let name = shell_word(&self.name);
         match self.verdict {
             Verdict::OrphanGolden => Some(format!("bless --prune {name}")),
-            verdict if verdict.can_be_blessed() && !self.breaks_expectations => {
+            verdict if verdict.can_be_blessed() && !self.breaks_its_word() => {
                 Some(format!("bless {name}"))
             }
             _ => None,
         }
+    }
+
+    /// Whether the picture is wrong by what its fixture says, whatever the
+    /// golden.
+    pub fn breaks_its_word(&self) -> bool {
+        self.breaks_expectations || self.breaks_relations
     }
 }
 

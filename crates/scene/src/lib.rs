@@ -35,6 +35,6 @@ mod report;
 pub use assets::{Assets, MAX_ASSET_BYTES, MAX_SCENE_BYTES, NoAssets, check_path};
 pub use diagnose::{Problem, Span, Step, line_column, nearest};
 pub use format::{Encoding, SceneFile, Unchecked, VERSION};
-pub use load::{Check, Loaded, load};
+pub use load::{Check, Loaded, load, recompile};
 pub use places::{Place, object_places};
 pub use report::report;

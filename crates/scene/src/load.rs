@@ -13,6 +13,10 @@ pub trait Check: DeserializeOwned {
     /// Calls `report(path, message)` for everything that makes no sense in it,
     /// given the picture's size; `path` starts inside `check`.
     fn examine(&self, image: (u32, u32), report: &mut dyn FnMut(Vec<Step>, String));
+
+    /// The same for what makes no sense beside this scene, which is asked only
+    /// where everything in it could be read.
+    fn examine_beside(&self, _file: &SceneFile<Self>, _report: &mut dyn FnMut(Vec<Step>, String)) {}
 }
 
 impl Check for Unchecked {
@@ -55,7 +59,10 @@ pub fn load<C: Check>(
     }
     match ron_options().from_str::<SceneFile<C>>(text) {
         Ok(file) => {
-            let (scene, findings) = judge(&file, assets, build);
+            let (scene, mut findings) = judge(&file, assets, build);
+            if let Some(check) = &file.check {
+                check.examine_beside(&file, &mut in_check(&mut findings));
+            }
             match scene {
                 Some(scene) if findings.is_empty() => Ok(Loaded { file, scene }),
                 _ => {
@@ -65,6 +72,22 @@ pub fn load<C: Check>(
             }
         }
         Err(_) => Err(explain::<C>(text, assets, build)),
+    }
+}
+
+/// The scene of a file that was changed after it was read; its `check` is not
+/// looked at.
+///
+/// # Errors
+/// Every problem of its meaning, without a place: there is no text.
+pub fn recompile<C>(
+    file: &SceneFile<C>,
+    assets: &dyn Assets,
+    build: Build,
+) -> Result<Scene, Vec<String>> {
+    match compile(file, assets, build) {
+        (Some(scene), findings) if findings.is_empty() => Ok(scene),
+        (_, findings) => Err(findings.into_iter().map(|finding| finding.message).collect()),
     }
 }
 
@@ -89,12 +112,17 @@ fn judge<C: Check>(
 ) -> (Option<Scene>, Vec<Finding>) {
     let (scene, mut findings) = compile(file, assets, build);
     if let Some(check) = &file.check {
-        check.examine(file.image, &mut |inside, message| {
-            let path = std::iter::once(Step::from("check")).chain(inside).collect();
-            findings.push(Finding { path, message, help: None });
-        });
+        check.examine(file.image, &mut in_check(&mut findings));
     }
     (scene, findings)
+}
+
+/// Notes what is found inside `check`.
+fn in_check(findings: &mut Vec<Finding>) -> impl FnMut(Vec<Step>, String) {
+    |inside, message| {
+        let path = std::iter::once(Step::from("check")).chain(inside).collect();
+        findings.push(Finding { path, message, help: None });
+    }
 }
 
 /// The most problems that are listed: nobody mends more at a time, and a file

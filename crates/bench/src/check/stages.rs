@@ -8,14 +8,14 @@ use harness::fixture::{Build, Fixture, Skipping};
 use harness::judge::{Found, judge};
 use harness::store::{self, FolderAssets};
 use harness::suite::Suite;
-use harness::{golden, report, run};
+use harness::{golden, relation, report, run};
 use scene::{Assets, MAX_SCENE_BYTES};
 
 use super::{MILLISECONDS, Slow, Stage};
 use crate::measure::{Spread, thread_seconds};
 
 /// In the order of the way.
-const STAGES: [&str; 9] = [
+const STAGES: [&str; 10] = [
     "read scene and meshes",
     "parse, build",
     "plan",
@@ -24,6 +24,7 @@ const STAGES: [&str; 9] = [
     "read golden",
     "decode golden",
     "compare",
+    "related scenes",
     "report, empty artifacts",
 ];
 
@@ -134,9 +135,12 @@ fn one(suite: &Suite, name: &str) -> Result<Times, String> {
     });
     let (judgment, compare) = timed(|| judge(&fixture, &rendered, &found));
     black_box(judgment);
+    let (broken, relate) = timed(|| relation::broken(&fixture, &rendered));
+    black_box(broken);
     // Rendering made the plan once more.
     let render = (render - plan).max(0.0);
-    Ok([read + assets, parse - assets, plan, render, encode, read_golden, decode, compare, 0.0])
+    let (read, parse) = (read + assets, parse - assets);
+    Ok([read, parse, plan, render, encode, read_golden, decode, compare, relate, 0.0])
 }
 
 fn text(path: &Path) -> Result<String, String> {
@@ -178,6 +182,8 @@ mod tests {
     fn every_stage_of_a_fixture_has_a_time() {
         let folder = tempfile::tempdir().unwrap();
         let scene = crate::inputs::scene_text((24, 18), 2);
+        let scene = scene.trim_end().trim_end_matches(')');
+        let scene = format!("{scene}check: (relations: [Exposure(by: 2)]))");
         let path = folder.path().join("fixtures/a.ron");
         crate::place::write(&path, &scene).unwrap();
         let suite = Suite::open(folder.path()).unwrap();

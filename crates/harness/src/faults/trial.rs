@@ -86,7 +86,8 @@ fn fate(judged: &crate::run::Judged) -> Fate {
     let comparison = judgment.comparison.as_ref();
     Fate::Killed(Evidence {
         golden: matches!(judgment.verdict, Verdict::Differs | Verdict::WrongSize),
-        on_paper: broken_expectations(fixture, picture).len() as u32,
+        on_paper: (broken_expectations(fixture, picture).len() + judgment.broken_relations.len())
+            as u32,
         differing_pixels: comparison.map_or(0, |c| c.differing_pixels),
         max_abs: comparison.map_or(0, |c| c.max_abs),
         ssim_min: comparison.map_or(1.0, |c| c.ssim_min),

@@ -14,8 +14,8 @@ const SCHEMA: u32 = 1;
 ///
 /// `summary` has `total`, `green`, `elapsed_ms` and a count for each verdict,
 /// zeros included. A fixture has `name`, `verdict`, `findings`, `width`,
-/// `height`, `render_ms`, `compare_ms`, `strip`, `breaks_expectations`,
-/// `command`, `blamed` and every metric of [`comparison_json`]; what there is not
+/// `height`, `render_ms`, `compare_ms`, `relate_ms`, `strip`,
+/// `breaks_expectations`, `breaks_relations`, `command`, `blamed` and every metric of [`comparison_json`]; what there is not
 /// is null. `blamed` has, the most blamed first, `object` (its number), `kind`,
 /// `line` and `column`, all null for the background, with `pixels` and `share`.
 pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
@@ -42,8 +42,10 @@ fn fixture_json(outcome: &Outcome) -> Value {
     put("height", json!(outcome.size.map(|size| size.1)));
     put("render_ms", json!(outcome.render_ms));
     put("compare_ms", json!(outcome.compare_ms));
+    put("relate_ms", json!(outcome.relate_ms));
     put("strip", json!(outcome.strip));
     put("breaks_expectations", json!(outcome.breaks_expectations));
+    put("breaks_relations", json!(outcome.breaks_relations));
     put("blamed", outcome.blamed.iter().map(blamed_json).collect());
     put("command", json!(outcome.remedy().map(|remedy| format!("cargo xtask {remedy}"))));
     fixture.extend(metrics(outcome.comparison.as_ref()));

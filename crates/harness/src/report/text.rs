@@ -31,11 +31,13 @@ pub struct Reader {
 ///     verdict: Verdict::MissingGolden,
 ///     findings: vec!["there is no golden".to_owned()],
 ///     breaks_expectations: false,
+///     breaks_relations: false,
 ///     comparison: None,
 ///     blamed: vec![],
 ///     size: Some((64, 48)),
 ///     render_ms: 1.0,
 ///     compare_ms: 0.0,
+///     relate_ms: 0.0,
 ///     strip: Some("target/goldray/sphere/far.png".to_owned()),
 /// };
 /// assert_eq!(
@@ -73,7 +75,7 @@ pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
     if let Some(remedy) = outcome.remedy() {
         let flag = &reader.root_flag;
         parts.push(format!("if meant: cargo xtask{flag} {remedy}"));
-    } else if outcome.breaks_expectations {
+    } else if outcome.breaks_its_word() {
         parts.push("mend the scene, the tracer, or what the fixture expects".to_owned());
     }
     if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }

@@ -143,32 +143,6 @@ pub enum Encoding {
     Srgb,
 }
 
-impl<Check> SceneFile<Check> {
-    /// The same scene without its `check`.
-    #[must_use]
-    pub fn without_check(self) -> SceneFile {
-        SceneFile {
-            version: self.version,
-            image: self.image,
-            camera: self.camera,
-            objects: self.objects,
-            lights: self.lights,
-            materials: self.materials,
-            shading: self.shading,
-            shadows: self.shadows,
-            background: self.background,
-            exposure: self.exposure,
-            show: self.show,
-            samples_per_pixel: self.samples_per_pixel,
-            sampler: self.sampler,
-            filter: self.filter,
-            error: self.error,
-            encoding: self.encoding,
-            check: None,
-        }
-    }
-}
-
 // Serde takes these by reference or as functions.
 #[allow(clippy::trivially_copy_pass_by_ref)]
 fn is_yes(x: &bool) -> bool {

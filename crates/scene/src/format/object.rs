@@ -151,6 +151,22 @@ impl Object {
         }
     }
 
+    /// Where the object's own material is said.
+    pub fn material_mut(&mut self) -> &mut Option<Material> {
+        match self {
+            Self::Sphere { material, .. }
+            | Self::Triangle { material, .. }
+            | Self::Box { material, .. }
+            | Self::Plane { material, .. }
+            | Self::Disk { material, .. }
+            | Self::Cylinder { material, .. }
+            | Self::Cone { material, .. }
+            | Self::Torus { material, .. }
+            | Self::Mesh { material, .. }
+            | Self::Group { material, .. } => material,
+        }
+    }
+
     /// The shape that its own numbers make, or why they make none; `None` for
     /// a mesh and a group, which need more than that.
     pub(crate) fn shape(&self) -> Option<Result<Shape, Refused>> {

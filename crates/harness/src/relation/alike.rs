@@ -1,0 +1,177 @@
+//! `Alike`: how alike two linear pictures must be.
+
+use tracer::{LinearImage, Rgb, Size};
+
+use super::Problem;
+
+/// The largest `within`: far above what roundings add up to, far below what is
+/// seen.
+pub const LOOSEST: f64 = 1e-6;
+
+/// The largest `edge_pixels`, as a part of the picture's pixels: a relation that
+/// allows more could lose an object.
+pub const MOST_EDGES: f64 = 1.0 / 200.0;
+
+/// How alike the pictures must be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Alike {
+    /// How far each channel may be off, relative to the brightest of the
+    /// picture; 0 means the very same bits.
+    pub(super) within: f64,
+    /// How many pixels may be off by more: samples beside a silhouette that
+    /// rounding moves to its other side.
+    pub(super) edge_pixels: u32,
+}
+
+/// A `within` that a fixture may leave out: a few roundings.
+pub(super) fn few_roundings() -> f64 {
+    1e-12
+}
+
+impl Alike {
+    /// In every bit.
+    pub(super) const BITS: Self = Self { within: 0.0, edge_pixels: 0 };
+
+    /// What would make a relation say nothing, for a picture of this size.
+    pub(super) fn problems(self, (width, height): (u32, u32)) -> Vec<Problem> {
+        let Self { within, edge_pixels } = self;
+        let pixels = u64::from(width) * u64::from(height);
+        let most = (MOST_EDGES * pixels as f64).floor();
+        let mut problems = Vec::new();
+        if !(0.0..=LOOSEST).contains(&within) {
+            let message =
+                format!("`within`: expected a number from 0 to {LOOSEST}, found {within}");
+            problems.push((Some("within"), message));
+        }
+        if f64::from(edge_pixels) > most {
+            let message = format!(
+                "`edge_pixels`: expected at most {most} of the picture's {pixels} pixels, found \
+                 {edge_pixels}"
+            );
+            problems.push((Some("edge_pixels"), message));
+        }
+        problems
+    }
+
+    /// Whether the pictures are so alike.
+    ///
+    /// # Errors
+    /// The first pixel that is off, and how many are.
+    pub(super) fn compare(self, expected: &LinearImage, found: &LinearImage) -> Result<(), String> {
+        let Size { width, height } = expected.size();
+        if found.size() != expected.size() {
+            let Size { width: w, height: h } = found.size();
+            return Err(format!("expected a picture of {width} x {height}, found {w} x {h}"));
+        }
+        let allowed = self.within * brightest(expected);
+        let pairs = expected.pixels().iter().zip(found.pixels()).enumerate();
+        let off: Vec<_> = pairs.filter(|(_, (a, b))| !is_close(**a, **b, allowed)).collect();
+        let Some(&(first, (a, b))) = off.first().filter(|_| off.len() > self.edge_pixels as usize)
+        else {
+            return Ok(());
+        };
+        let (x, y) = (first % width as usize, first / width as usize);
+        let may = match self.edge_pixels {
+            0 => String::new(),
+            n => format!(", {n} may"),
+        };
+        Err(format!(
+            "pixel ({x}, {y}): expected {:?}, found {:?}; {} of {} pixels differ{may}",
+            a.channels(),
+            b.channels(),
+            off.len(),
+            expected.pixels().len()
+        ))
+    }
+}
+
+/// Whether every channel has the same bits, or is no farther off than
+/// `allowed`, if anything is. A NaN is close to its own bits only.
+fn is_close(a: Rgb, b: Rgb, allowed: f64) -> bool {
+    a.channels()
+        .into_iter()
+        .zip(b.channels())
+        .all(|(a, b)| a.to_bits() == b.to_bits() || (allowed > 0.0 && (a - b).abs() <= allowed))
+}
+
+/// The largest size of any channel.
+fn brightest(picture: &LinearImage) -> f64 {
+    let channels = picture.pixels().iter().flat_map(|pixel| pixel.channels());
+    channels.fold(0.0, |most, channel| channel.abs().max(most))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: Size = Size { width: 20, height: 10 };
+
+    /// A gray picture whose first `off` pixels are lighter by `by`.
+    fn picture(off: usize, by: f64) -> LinearImage {
+        let value = |i: usize| if i < off { 0.5 + by } else { 0.5 };
+        LinearImage::from_pixels(SIZE, (0..200).map(|i| Rgb::WHITE * value(i)).collect()).unwrap()
+    }
+
+    #[track_caller]
+    fn check(alike: (f64, u32), off: (usize, f64), expected: Result<(), &str>) {
+        let alike = Alike { within: alike.0, edge_pixels: alike.1 };
+        let found = alike.compare(&picture(0, 0.0), &picture(off.0, off.1));
+        assert_eq!(found.as_ref().map_err(String::as_str).copied(), expected);
+    }
+
+    #[test]
+    fn pixels_are_off_by_no_more_than_is_said() {
+        check((0.0, 0), (0, 0.0), Ok(()));
+        let one = "pixel (0, 0): expected [0.5, 0.5, 0.5], found [0.75, 0.75, 0.75]; 1 of 200 \
+                   pixels differ";
+        check((0.0, 0), (1, 0.25), Err(one));
+        check(
+            (0.0, 0),
+            (1, f64::EPSILON),
+            Err("pixel (0, 0): expected [0.5, 0.5, 0.5], found [0.5000000000000002, \
+             0.5000000000000002, 0.5000000000000002]; 1 of 200 pixels differ"),
+        );
+        // Relative to 0.5.
+        check((1e-6, 0), (200, 0.4e-6), Ok(()));
+        assert!(
+            Alike { within: 1e-6, edge_pixels: 0 }
+                .compare(&picture(0, 0.0), &picture(1, 0.6e-6))
+                .is_err()
+        );
+        check((1e-6, 1), (1, 0.25), Ok(()));
+        let two = "pixel (0, 0): expected [0.5, 0.5, 0.5], found [0.75, 0.75, 0.75]; 2 of 200 \
+                   pixels differ, 1 may";
+        check((1e-6, 1), (2, 0.25), Err(two));
+        assert!(
+            Alike { within: 1e-6, edge_pixels: 0 }
+                .compare(&picture(0, 0.0), &picture(1, f64::NAN))
+                .is_err()
+        );
+    }
+
+    #[test]
+    fn the_place_is_counted_from_the_upper_left() {
+        let spot = LinearImage::from_fn(SIZE, |x, y| {
+            if (x, y) == (7, 3) { Rgb::WHITE } else { Rgb::WHITE * 0.5 }
+        });
+        let said = Alike::BITS.compare(&picture(0, 0.0), &spot).unwrap_err();
+        assert!(said.starts_with("pixel (7, 3): expected [0.5, "), "{said}");
+        let other = LinearImage::from_fn(Size { width: 10, height: 20 }, |_, _| Rgb::BLACK);
+        let said = Alike::BITS.compare(&other, &spot).unwrap_err();
+        assert_eq!(said, "expected a picture of 10 x 20, found 20 x 10");
+    }
+
+    #[test]
+    fn what_would_allow_everything_is_a_problem() {
+        let fields = |within, edge_pixels| {
+            let problems = Alike { within, edge_pixels }.problems((40, 10));
+            problems.into_iter().filter_map(|p| p.0).collect::<Vec<_>>()
+        };
+        assert_eq!(fields(LOOSEST, 2), [""; 0]);
+        assert_eq!(fields(0.0, 0), [""; 0]);
+        assert_eq!(fields(1e-5, 3), ["within", "edge_pixels"]);
+        for never in [-1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(fields(never, 0), ["within"]);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! `Translate`: moved together with its camera, a scene looks the same.
+
+use scene::format::Triple;
+use serde::{Deserialize, Serialize};
+
+use super::alike::few_roundings;
+use super::motion::Motion;
+use super::{Alike, Problem, Relate, Today, problem_in};
+use crate::check::File;
+
+/// The picture stays when objects, point lights and camera are moved.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Translate {
+    /// Along each axis.
+    pub by: Triple,
+    /// How far each channel may be off, relative to the brightest of the
+    /// picture.
+    #[serde(default = "few_roundings")]
+    pub within: f64,
+    /// How many pixels may be off by more.
+    #[serde(default)]
+    pub edge_pixels: u32,
+}
+
+impl Relate for Translate {
+    fn words(&self) -> String {
+        let [x, y, z] = self.by;
+        format!("Translate(by: ({x}, {y}, {z}))")
+    }
+
+    fn alike(&self) -> Alike {
+        Alike { within: self.within, edge_pixels: self.edge_pixels }
+    }
+
+    fn problems(&self, file: &File) -> Vec<Problem> {
+        let is_a_way = self.by.iter().all(|x| x.is_finite()) && self.by != [0.0; 3];
+        let mut problems = problem_in("by", !is_a_way, || {
+            format!("expected three finite numbers, not all 0, found {:?}", self.by)
+        });
+        problems.extend(Motion::translation(self.by).problems(file));
+        problems
+    }
+
+    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+        today.moves(Motion::translation(self.by), self.alike())
+    }
+}
