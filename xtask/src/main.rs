@@ -42,6 +42,8 @@ enum Verb {
     Bless(verb::bless::Args),
     /// Write a small valid fixture to start from
     New(verb::new::Args),
+    /// Make a small fixture of a large one that fails
+    Minimize(verb::minimize::Args),
     /// List fixtures, or the metrics and what each cannot see
     List(verb::list::Args),
     /// Render a scene file or a fixture into a picture file
@@ -73,6 +75,7 @@ fn main() -> ExitCode {
         Verb::Check(args) => verb::check::run(&here, &args),
         Verb::Bless(args) => verb::bless::run(&here, &args),
         Verb::New(args) => verb::new::run(&here, &args),
+        Verb::Minimize(args) => verb::minimize::run(&here, &args),
         Verb::List(args) => verb::list::run(&here, &args),
         Verb::Render(args) => verb::render::run(&here, &args),
         Verb::Compare(args) => verb::compare::run(&args),

@@ -25,6 +25,13 @@ impl Progress {
         Self(bar)
     }
 
+    /// Starts counting to nobody knows where.
+    pub fn counting(doing: &'static str) -> Self {
+        let bar = bar(0, "{prefix} {pos} {wide_msg}");
+        bar.set_prefix(doing);
+        Self(bar)
+    }
+
     /// One more is done, the last of them being this.
     pub fn advance(&self, last: &str) {
         self.0.set_message(last.to_owned());

@@ -104,6 +104,7 @@ fn help_of_every_verb() {
         "check",
         "bless",
         "new",
+        "minimize",
         "list",
         "render",
         "compare",

@@ -66,10 +66,7 @@ impl Fixture {
         let check = file.check.take().unwrap_or_default();
         let provenance = provenance(&file, assets.seen.into_inner())
             .map_err(|error| format!("{name}: {error}\n"))?;
-        let mut assets = assets.kept.into_inner();
-        if check.relations.is_empty() {
-            assets.clear();
-        }
+        let assets = assets.kept.into_inner();
         let text = text.to_owned();
         Ok(Self { scene, check, transfer, provenance, file, assets, build, text })
     }
@@ -96,10 +93,30 @@ impl Fixture {
         file: &File,
         build: Build,
     ) -> Result<LinearImage, String> {
-        let scene = scene::recompile(file, &self.assets, build);
-        let scene =
-            scene.map_err(|why| format!("the related scene is refused: {}", why.join("; ")))?;
-        Ok(render(&scene))
+        let scene = self.recompiled(file, build);
+        Ok(render(&scene.map_err(|why| format!("the related scene is refused: {why}"))?))
+    }
+
+    /// The files that its scene names, with what they hold.
+    pub fn assets(&self) -> &BTreeMap<String, Vec<u8>> {
+        &self.assets
+    }
+
+    /// The fixture of another file, with this one's check and assets.
+    ///
+    /// # Errors
+    /// Why that is no scene.
+    pub(crate) fn with_file(&self, file: File) -> Result<Self, String> {
+        let scene = self.recompiled(&file, self.build)?;
+        Ok(Self { scene, file, ..self.clone() })
+    }
+
+    /// The scene of what became of this fixture's file.
+    ///
+    /// # Errors
+    /// Why that is none.
+    pub(crate) fn recompiled(&self, file: &File, build: Build) -> Result<Scene, String> {
+        scene::recompile(file, &self.assets, build).map_err(|why| why.join("; "))
     }
 
     /// The picture before encoding.

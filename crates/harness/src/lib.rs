@@ -24,6 +24,7 @@ pub mod golden;
 pub mod judge;
 pub mod limits;
 pub mod metric;
+pub mod minimize;
 pub mod overrides;
 pub mod picture;
 pub mod picture_file;

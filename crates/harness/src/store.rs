@@ -244,6 +244,25 @@ pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
     Ok(names)
 }
 
+/// A folder for what is needed for a while; it goes away with this.
+#[derive(Debug)]
+pub struct Scratch(tempfile::TempDir);
+
+impl Scratch {
+    /// An empty one, where the system keeps such.
+    ///
+    /// # Errors
+    /// Whatever kept it from being made.
+    pub fn new() -> Result<Self, StoreError> {
+        tempfile::tempdir().map(Self).map_err(|error| StoreError::io(Path::new("."), &error))
+    }
+
+    /// Where a file of this name is in it.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+}
+
 /// The meshes of a scene: files in its own folder or below, links included
 /// only where they stay there.
 #[derive(Debug, Clone)]

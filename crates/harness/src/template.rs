@@ -12,21 +12,29 @@ pub const TEMPLATE: &str = include_str!("template.ron");
 /// # Errors
 /// A name that is none, and a fixture that is there already.
 pub fn new_fixture(suite: &Suite, name: &str) -> Result<String, StoreError> {
-    let path = suite.fixture_path(name);
+    check_name(name)?;
+    store::write_new(&suite.fixture_path(name), TEMPLATE.as_bytes())?;
+    Ok(Suite::fixture_label(name))
+}
+
+/// Whether a new fixture may have this name.
+///
+/// # Errors
+/// It may not.
+pub fn check_name(name: &str) -> Result<(), StoreError> {
     let is_plain = |part: &str| {
         !part.is_empty()
             && !part.starts_with('-')
             && part.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'))
     };
-    if !name.split('/').all(is_plain) {
-        let what = format!(
-            "expected a name such as `sphere/tangent` (letters, digits, `-`, `_` and `/`), \
-             found \"{name}\""
-        );
-        return Err(StoreError { path: "fixtures".into(), what });
+    if name.split('/').all(is_plain) {
+        return Ok(());
     }
-    store::write_new(&path, TEMPLATE.as_bytes())?;
-    Ok(Suite::fixture_label(name))
+    let what = format!(
+        "expected a name such as `sphere/tangent` (letters, digits, `-`, `_` and `/`), found \
+         \"{name}\""
+    );
+    Err(StoreError { path: "fixtures".into(), what })
 }
 
 #[cfg(test)]

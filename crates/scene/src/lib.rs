@@ -31,6 +31,7 @@ mod load;
 mod mesh;
 mod places;
 mod report;
+mod write;
 
 pub use assets::{Assets, MAX_ASSET_BYTES, MAX_SCENE_BYTES, NoAssets, check_path};
 pub use diagnose::{Problem, Span, Step, line_column, nearest};
@@ -38,3 +39,4 @@ pub use format::{Encoding, SceneFile, Unchecked, VERSION};
 pub use load::{Check, Loaded, load, recompile};
 pub use places::{Place, object_places};
 pub use report::report;
+pub use write::write;

@@ -9,5 +9,6 @@ pub(crate) mod digest;
 pub(crate) mod elsewhere;
 pub(crate) mod list;
 pub(crate) mod meshes;
+pub(crate) mod minimize;
 pub(crate) mod new;
 pub(crate) mod render;

@@ -52,6 +52,7 @@ use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use alike::Alike;
 use motion::Motion;
+pub(crate) use window::Window;
 
 /// A problem: the field that it is in, if it is in one, and what it is.
 type Problem = (Option<&'static str>, String);

@@ -4,7 +4,7 @@ use scene::format::{Camera, Triple};
 use tracer::glam::DVec3;
 
 /// A view window, by what any camera has.
-pub(super) struct Window {
+pub(crate) struct Window {
     eye: DVec3,
     /// From the eye to the window's middle in a perspective view, along the
     /// rays in a parallel one.
@@ -17,7 +17,7 @@ pub(super) struct Window {
 
 impl Window {
     /// The window of a camera of a picture of this size.
-    pub(super) fn of(camera: &Camera, (width, height): (u32, u32)) -> Self {
+    pub(crate) fn of(camera: &Camera, (width, height): (u32, u32)) -> Self {
         let v3 = DVec3::from_array;
         match *camera {
             Camera::Perspective {
@@ -64,7 +64,7 @@ impl Window {
     }
 
     /// The part of it that these pixels see: from `at`, `size` of so many.
-    pub(super) fn part(
+    pub(crate) fn part(
         mut self,
         at: (u32, u32),
         size: (u32, u32),
@@ -87,14 +87,14 @@ impl Window {
     }
 
     /// One so many times as large and as far away.
-    pub(super) fn farther(mut self, times: f64) -> Self {
+    pub(crate) fn farther(mut self, times: f64) -> Self {
         self.ahead *= times;
         self.size = self.size.map(|size| times * size);
         self
     }
 
     /// The camera with this window.
-    pub(super) fn camera(&self) -> Camera {
+    pub(crate) fn camera(&self) -> Camera {
         let [_, up, normal] = self.axes.map(|axis| axis.to_array());
         let (view_point, view_dir) = (self.eye.to_array(), self.ahead.to_array());
         let (proj_normal, [view_width, view_height]) = (Some(normal), self.size);
