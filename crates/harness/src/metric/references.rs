@@ -54,7 +54,9 @@ fn recorded(pairs: Vec<NamedPair>, text: &'static str) -> Vec<(NamedPair, Record
     let records: Vec<_> = lines.map(|line| Record { fields: line.split(' ').collect() }).collect();
     assert_eq!(pairs.len(), records.len());
     let recorded: Vec<_> = pairs.into_iter().zip(records).collect();
-    recorded.iter().for_each(|(pair, record)| record.check_pictures(pair));
+    for (pair, record) in &recorded {
+        record.check_pictures(pair);
+    }
     recorded
 }
 

@@ -36,24 +36,26 @@ mod tests {
     use super::*;
 
     /// The answer of `kernel` at position 0 to a line of values by position.
-    fn answer(kernel: &Kernel, value: impl Fn(i32) -> f64) -> f64 {
-        let reach = kernel.reach() as i32;
-        let line: Vec<[f64; 1]> = (-reach..=reach).map(|i| [value(i)]).collect();
+    fn answer(kernel: &Kernel, value: impl Fn(f64) -> f64) -> f64 {
+        let reach = kernel.reach();
+        let line: Vec<_> = (0..=2 * reach).map(|i| [value(i as f64 - reach as f64)]).collect();
         let mut sum = [0.0];
-        kernel.weigh(kernel.reach(), |i| &line[i], &mut sum);
+        kernel.weigh(reach, |i| &line[i], &mut sum);
         sum[0]
     }
 
     #[test]
     fn each_filter_answers_to_its_feature_and_not_to_a_flat() {
         let Features { edge, point, blur } = Features::new(67.02);
-        let step = |i: i32| f64::from(u8::from(i > 0));
-        let ramp = |i: i32| f64::from(i);
-        assert!((answer(&edge, step) + 1.0).abs() < 1e-12);
-        assert!((answer(&edge, |_| 1.0)).abs() < 1e-12);
-        assert!((answer(&point, |_| 1.0)).abs() < 1e-12 && answer(&point, ramp).abs() < 1e-12);
-        let dot = |i: i32| f64::from(u8::from(i.abs() <= 2));
-        assert!((answer(&point, dot) + 1.0).abs() < 1e-12);
-        assert!((answer(&blur, |_| 1.0) - 1.0).abs() < 1e-12);
+        let check = |kernel: &Kernel, value: fn(f64) -> f64, expected: f64| {
+            let found = answer(kernel, value);
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        };
+        check(&edge, |_| 1.0, 0.0);
+        check(&point, |_| 1.0, 0.0);
+        check(&blur, |_| 1.0, 1.0);
+        check(&edge, |x| f64::from(u8::from(x > 0.0)), -1.0);
+        check(&point, |x| x, 0.0);
+        check(&point, |x| f64::from(u8::from(x.abs() <= 2.0)), -1.0);
     }
 }
