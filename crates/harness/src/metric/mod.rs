@@ -4,6 +4,7 @@
 //! file of its own and an entry in [`METRICS`], which says what it measures and
 //! what it cannot see.
 
+pub mod corpus;
 mod difference;
 mod flip;
 mod image_compare;

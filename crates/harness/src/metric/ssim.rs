@@ -43,7 +43,7 @@ pub(super) const MEAN: Metric = Metric {
     unit: "1",
     direction: Direction::HigherIsBetter,
     blind_spot: "damage to few windows: a limit of 0.98 lets any damage to 1 % of them through; \
-                 the outermost pixels, which few windows inside reach",
+                 the outermost pixels, which few windows inside reach; brightness of flat areas",
     limit: Some("ssim"),
     value: |comparison| Some(comparison.ssim_mean),
 };
