@@ -9,6 +9,7 @@ use conformance::{repository, repository_suite};
 use harness::fixture::{Build, Fixture};
 use harness::relation::Relation;
 use harness::suite::Suite;
+use harness::metric::corpus;
 use harness::{golden, judge, picture, run, sample_mesh};
 
 /// Every Rust file below a folder of the repository, with its text.
@@ -132,6 +133,13 @@ fn the_sample_meshes_are_what_the_code_makes() {
         let committed = fs::read(repository().join(path)).unwrap();
         assert!(committed == bytes, "{path} is out of date: cargo xtask meshes");
     }
+}
+
+#[test]
+fn the_page_about_metrics_is_what_they_say() {
+    let committed = fs::read_to_string(repository().join("docs/metrics.md")).unwrap();
+    let command = "cargo xtask list --metrics --markdown > docs/metrics.md";
+    assert!(committed == corpus::document(), "docs/metrics.md is out of date: {command}");
 }
 
 #[test]

@@ -298,6 +298,28 @@ fn a_check_that_makes_no_sense_is_refused_with_its_place() {
 }
 
 #[test]
+fn a_limit_of_flip_lets_pass_what_is_hardly_seen_and_no_more() {
+    let limited = SQUARE.replace("check: (", "check: (limits: (flip: 0.05, reason: \"x\"), ");
+    let scratch = Scratch::blessed(&[("a", &limited)]);
+    let paint_corner = |by: u8| {
+        repaint(&scratch, |picture| {
+            EncodedImage::from_fn(picture.size(), |x, y| {
+                picture
+                    .get(x, y)
+                    .unwrap()
+                    .map(|code| if (x, y) == (0, 0) { code ^ by } else { code })
+            })
+        });
+        outcomes(&scratch).remove(0)
+    };
+    let faint = paint_corner(1);
+    assert_eq!(faint.verdict.id(), "match", "{faint:?}");
+    let strong = paint_corner(0x80);
+    assert_eq!(strong.verdict.id(), "differs", "{strong:?}");
+    assert!(strong.findings[0].starts_with("worst pixel's FLIP"), "{:?}", strong.findings);
+}
+
+#[test]
 fn a_broken_fixture_is_refused_and_the_others_judged() {
     let scratch = Scratch::blessed(&[("a", SQUARE), ("b", SQUARE)]);
     scratch.set_fixture("a", "(version: 1,");

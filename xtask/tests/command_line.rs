@@ -236,6 +236,9 @@ fn list_names_and_metrics() {
     tree.run(&["list", "zzz"]).expect_code(2);
     tree.run(&["list", "--json"]).expect_code(0).expect("\"file\": \"fixtures/a.ron\"");
     tree.run(&["list", "--metrics"]).expect_code(0).expect("ssim_min").expect("cannot see");
+    tree.run(&["list", "--metrics", "--json"]).expect_code(0).expect("\"name\": \"flip_mean\"");
+    tree.run(&["list", "--metrics", "--markdown"]).expect_code(0).expect("| identical | Same |");
+    tree.run(&["list", "--markdown"]).expect_code(2).expect("--metrics");
 }
 
 #[test]

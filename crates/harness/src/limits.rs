@@ -1,5 +1,8 @@
 //! `Limits`: how far a picture may be from its golden and still match.
 
+#[cfg(test)]
+mod tests;
+
 use serde::{Deserialize, Serialize};
 
 use crate::metric::Comparison;
@@ -20,6 +23,13 @@ pub struct Limits {
     /// than that of the mean.
     #[serde(default)]
     pub ssim_worst: Option<f64>,
+    /// The highest FLIP accepted, above 0: of the mean **and** of the worst pixel.
+    #[serde(default)]
+    pub flip: Option<f64>,
+    /// The highest FLIP accepted of the worst pixel, where it may be higher than
+    /// that of the mean.
+    #[serde(default)]
+    pub flip_worst: Option<f64>,
     /// The largest difference accepted in any channel of any pixel, of 255.
     #[serde(default)]
     pub max_abs: Option<u8>,
@@ -35,18 +45,19 @@ impl Limits {
     /// field; nothing for good ones.
     pub(crate) fn problems(&self, pixels: u64) -> Vec<(&'static str, String)> {
         let mut problems = Vec::new();
-        let ssims = [("ssim", self.ssim), ("ssim_worst", self.ssim_worst)];
-        for (field, ssim) in ssims {
-            if let Some(ssim) = ssim.filter(|s| !(0.0 < *s && *s < 1.0)) {
-                problems.push((
-                    field,
-                    format!(
-                        "`{field}`: expected a number above 0 and below 1 (leave the limit out for \
-                         identical pictures), found {ssim}"
-                    ),
-                ));
-            }
-        }
+        // A worst window has a lower SSIM than the mean, a worst pixel a higher FLIP.
+        problems.extend(share_problems(
+            ["ssim", "ssim_worst"],
+            [self.ssim, self.ssim_worst],
+            "at most",
+            f64::le,
+        ));
+        problems.extend(share_problems(
+            ["flip", "flip_worst"],
+            [self.flip, self.flip_worst],
+            "at least",
+            f64::ge,
+        ));
         // Limits that no picture can break are none.
         if let Some(max_abs @ (0 | u8::MAX)) = self.max_abs {
             problems.push((
@@ -63,23 +74,12 @@ impl Limits {
                 ),
             ));
         }
-        if let (Some(mean), Some(worst)) = (self.ssim, self.ssim_worst)
-            && worst > mean
-        {
-            problems.push((
-                "ssim_worst",
-                format!("`ssim_worst`: expected at most `ssim`, {mean}, found {worst}"),
-            ));
-        }
-        if self.ssim_worst.is_some() && self.ssim.is_none() {
-            problems
-                .push(("ssim_worst", "`ssim_worst` needs `ssim`, the limit of the mean".into()));
-        }
-        let none = self.ssim.is_none() && self.max_abs.is_none() && self.differing_pixels.is_none();
-        if none {
+        let shares = self.ssim.is_some() || self.flip.is_some();
+        if !shares && self.max_abs.is_none() && self.differing_pixels.is_none() {
             problems.push((
                 "reason",
-                "limits without a limit: expected `ssim`, `max_abs` or `differing_pixels`".into(),
+                "limits without a limit: expected `ssim`, `flip`, `max_abs` or `differing_pixels`"
+                    .into(),
             ));
         }
         if self.reason.trim().is_empty() {
@@ -96,109 +96,66 @@ impl Limits {
         let Some(limits) = limits else {
             return vec!["expected identical pictures".to_owned()];
         };
-        let mut broken = Vec::new();
-        // Positive tests: a NaN keeps no limit.
-        let mut at_least = |name: &str, found: f64, limit: Option<f64>| {
-            if let Some(limit) = limit
-                && !(found >= limit)
-            {
-                broken.push(format!("{name} {found:.6} is below its limit {limit}"));
-            }
-        };
-        at_least("mean SSIM", c.ssim_mean, limits.ssim);
-        at_least("worst window's SSIM", c.ssim_min, limits.ssim_worst.or(limits.ssim));
-        let mut at_most = |name: &str, found: u64, limit: Option<u64>| {
-            if let Some(limit) = limit
-                && found > limit
-            {
-                broken.push(format!("{name} {found} is above its limit {limit}"));
-            }
-        };
-        at_most("largest difference", c.max_abs.into(), limits.max_abs.map(u64::from));
-        at_most("count of differing pixels", c.differing_pixels, limits.differing_pixels);
-        broken
+        let worst_ssim = limits.ssim_worst.or(limits.ssim);
+        let worst_flip = limits.flip_worst.or(limits.flip);
+        [
+            below("mean SSIM", c.ssim_mean, limits.ssim),
+            below("worst window's SSIM", c.ssim_min, worst_ssim),
+            above("mean FLIP", c.flip_mean, limits.flip),
+            above("worst pixel's FLIP", c.flip_max, worst_flip),
+            above_count("largest difference", c.max_abs.into(), limits.max_abs.map(u64::from)),
+            above_count("count of differing pixels", c.differing_pixels, limits.differing_pixels),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use tracer::Size;
-
-    use super::*;
-    use crate::encode::EncodedImage;
-    use crate::metric::compare;
-
-    fn limits() -> Limits {
-        Limits { reason: "a test".into(), ..Limits::default() }
-    }
-
-    /// A gray 32 x 32 picture, and one with `count` pixels lighter by `by`.
-    fn comparison(count: usize, by: u8) -> Comparison {
-        let size = Size { width: 32, height: 32 };
-        let picture = |count: usize| {
-            let bytes = (0..32 * 32).flat_map(|i| [if i < count { 100 + by } else { 100 }; 3]);
-            EncodedImage::from_bytes(size, bytes.collect()).unwrap()
-        };
-        compare(&picture(0), &picture(count)).unwrap()
-    }
-
-    #[test]
-    fn without_limits_only_identical_pictures_match() {
-        assert_eq!(Limits::broken_by(None, &comparison(0, 9)), [""; 0]);
-        assert_eq!(Limits::broken_by(None, &comparison(1, 1)).len(), 1);
-    }
-
-    #[test]
-    fn each_stated_limit_holds_and_no_other() {
-        let two_by_three = comparison(2, 3);
-        let broken = |limits: Limits| Limits::broken_by(Some(&limits), &two_by_three).len();
-        assert_eq!(broken(Limits { max_abs: Some(3), ..limits() }), 0);
-        assert_eq!(broken(Limits { max_abs: Some(2), ..limits() }), 1);
-        assert_eq!(broken(Limits { differing_pixels: Some(2), ..limits() }), 0);
-        assert_eq!(broken(Limits { differing_pixels: Some(1), max_abs: Some(2), ..limits() }), 2);
-    }
-
-    #[test]
-    fn a_good_mean_does_not_hide_a_bad_window() {
-        let blot = comparison(1, 155);
-        assert!(blot.ssim_mean > 0.9 && blot.ssim_min < 0.5, "{blot:?}");
-        let broken = |limits| Limits::broken_by(Some(&limits), &blot);
-        let mean_only = Limits { ssim: Some(0.9), ssim_worst: Some(1e-9), ..limits() };
-        assert_eq!(broken(mean_only), [""; 0]);
-        let both = broken(Limits { ssim: Some(0.9), ..limits() });
-        assert!(both[0].starts_with("worst window's SSIM"), "{both:?}");
-    }
-
-    #[test]
-    fn a_nan_keeps_no_limit() {
-        let nan = Comparison { ssim_mean: f64::NAN, ssim_min: f64::NAN, ..comparison(1, 1) };
-        let limits = Limits { ssim: Some(0.5), ..limits() };
-        assert_eq!(Limits::broken_by(Some(&limits), &nan).len(), 2);
-    }
-
-    #[test]
-    fn limits_that_say_nothing_are_problems() {
-        let fields = |limits: Limits| limits.problems(1024).iter().map(|p| p.0).collect::<Vec<_>>();
-        assert_eq!(fields(Limits { ssim: Some(0.99), ..limits() }), [""; 0]);
-        let equal = Limits { ssim: Some(0.9), ssim_worst: Some(0.9), ..limits() };
-        assert_eq!(fields(equal), [""; 0]);
-        for ssim in [-1.0, 0.0, 1.0, 1.5] {
-            assert_eq!(fields(Limits { ssim: Some(ssim), ..limits() }), ["ssim"], "{ssim}");
+/// What is wrong with a limit of the mean and the one that loosens it for the
+/// worst place, both above 0 and below 1, the latter `bound` the former.
+fn share_problems(
+    [field, worst_field]: [&'static str; 2],
+    limits: [Option<f64>; 2],
+    bound: &str,
+    is_bound: fn(&f64, &f64) -> bool,
+) -> Vec<(&'static str, String)> {
+    let mut problems = Vec::new();
+    for (field, limit) in [field, worst_field].into_iter().zip(limits) {
+        if let Some(limit) = limit.filter(|s| !(0.0 < *s && *s < 1.0)) {
+            problems.push((
+                field,
+                format!(
+                    "`{field}`: expected a number above 0 and below 1 (leave the limit out for \
+                     identical pictures), found {limit}"
+                ),
+            ));
         }
-        for never in [0, 255] {
-            assert_eq!(fields(Limits { max_abs: Some(never), ..limits() }), ["max_abs"]);
-        }
-        for never in [0, 1024, 9999] {
-            let limits = Limits { differing_pixels: Some(never), ..limits() };
-            assert_eq!(fields(limits), ["differing_pixels"]);
-        }
-        assert_eq!(fields(limits()), ["reason"]);
-        assert_eq!(fields(Limits { max_abs: Some(1), reason: " ".into(), ..limits() }), ["reason"]);
-        assert_eq!(fields(Limits { ssim: Some(1.0), ..limits() }), ["ssim"]);
-        assert_eq!(fields(Limits { ssim: Some(f64::NAN), ..limits() }), ["ssim"]);
-        let worst_alone = Limits { ssim_worst: Some(0.5), max_abs: Some(1), ..limits() };
-        assert_eq!(fields(worst_alone), ["ssim_worst"]);
-        let upside_down = Limits { ssim: Some(0.5), ssim_worst: Some(0.9), ..limits() };
-        assert_eq!(fields(upside_down), ["ssim_worst"]);
     }
+    let text = match limits {
+        [Some(mean), Some(worst)] if !is_bound(&worst, &mean) => {
+            format!("`{worst_field}`: expected {bound} `{field}`, {mean}, found {worst}")
+        }
+        [None, Some(_)] => format!("`{worst_field}` needs `{field}`, the limit of the mean"),
+        _ => return problems,
+    };
+    problems.push((worst_field, text));
+    problems
+}
+
+// Positive tests: a NaN keeps no limit.
+
+fn below(name: &str, found: f64, limit: Option<f64>) -> Option<String> {
+    let limit = limit.filter(|&limit| !(found >= limit))?;
+    Some(format!("{name} {found:.6} is below its limit {limit}"))
+}
+
+fn above(name: &str, found: f64, limit: Option<f64>) -> Option<String> {
+    let limit = limit.filter(|&limit| !(found <= limit))?;
+    Some(format!("{name} {found:.6} is above its limit {limit}"))
+}
+
+fn above_count(name: &str, found: u64, limit: Option<u64>) -> Option<String> {
+    let limit = limit.filter(|&limit| found > limit)?;
+    Some(format!("{name} {found} is above its limit {limit}"))
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use harness::metric::{Direction, METRICS};
+use harness::metric::{Direction, METRICS, corpus};
 use harness::suite::Suite;
 use serde_json::{Value, json};
 
@@ -17,12 +17,20 @@ pub(crate) struct Args {
     /// List the metrics instead, each with its range and what it cannot see
     #[arg(long)]
     metrics: bool,
+    /// The page docs/metrics.md: the metrics, and how each rates a corpus of
+    /// damaged pictures
+    #[arg(long, requires = "metrics", conflicts_with = "json")]
+    markdown: bool,
     /// As JSON
     #[arg(long)]
     json: bool,
 }
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
+    if args.markdown {
+        print!("{}", corpus::document());
+        return Ok(Answer::Yes);
+    }
     let (text, json) =
         if args.metrics { metrics() } else { fixtures(&here.suite()?, &args.filters)? };
     if args.json {

@@ -2,7 +2,7 @@
 
 use harness::encode::{Transfer, encode};
 use harness::golden;
-use harness::metric::{Pair, compare, difference, image_compare, rmse, ssim};
+use harness::metric::{Pair, compare, difference, flip, image_compare, rmse, ssim, ssim_uniform};
 
 use super::Throughput;
 use crate::inputs;
@@ -37,6 +37,8 @@ fn of_side(side: u32, effort: Effort) -> Result<Vec<Throughput>, String> {
         ("compare, every metric", Box::new(|| compared(&golden, &actual))),
         ("difference", Box::new(|| f64::from(difference(&pair).max_abs))),
         ("ssim", Box::new(|| ssim(&pair).mean)),
+        ("ssim, uniform window", Box::new(|| ssim_uniform(&pair).mean)),
+        ("flip", Box::new(|| flip(&pair).mean)),
         ("rmse, psnr", Box::new(|| rmse(&pair).rmse)),
         ("image-compare's two", Box::new(|| image_compare(&pair).mssim.unwrap_or_default())),
         ("encode, gamma 2.2", Box::new(|| encoded(Transfer::Gamma22))),

@@ -4,7 +4,9 @@
 //! file of its own and an entry in [`METRICS`], which says what it measures and
 //! what it cannot see.
 
+pub mod corpus;
 mod difference;
+mod flip;
 mod image_compare;
 mod pair;
 #[cfg(test)]
@@ -17,10 +19,11 @@ mod tests;
 use crate::encode::EncodedImage;
 
 pub use difference::{DIFFERENCE_STEPS, Difference, difference};
+pub use flip::{Flip, FlipMap, PIXELS_PER_DEGREE, flip, flip_map};
 pub use image_compare::{ImageCompare, image_compare};
 pub use pair::Pair;
 pub use rmse::{Rmse, rmse};
-pub use ssim::{Ssim, SsimMap, ssim, ssim_map};
+pub use ssim::{Ssim, SsimMap, ssim, ssim_map, ssim_uniform};
 
 /// What a metric is, in words a command can print.
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +62,10 @@ pub const METRICS: &[Metric] = &[
     difference::DIFFERING_PIXELS,
     ssim::MIN,
     ssim::MEAN,
+    ssim::UNIFORM_MIN,
+    ssim::UNIFORM_MEAN,
+    flip::MAX,
+    flip::MEAN,
     rmse::RMSE,
     rmse::PSNR,
     image_compare::MSSIM,
@@ -74,6 +81,16 @@ pub struct Comparison {
     pub ssim_min: f64,
     /// [`Ssim::min_at`].
     pub ssim_min_at: (u32, u32),
+    /// [`Ssim::mean`] of [`ssim_uniform`].
+    pub ssim_uniform_mean: f64,
+    /// [`Ssim::min`] of [`ssim_uniform`].
+    pub ssim_uniform_min: f64,
+    /// [`Flip::mean`].
+    pub flip_mean: f64,
+    /// [`Flip::max`].
+    pub flip_max: f64,
+    /// [`Flip::max_at`].
+    pub flip_max_at: (u32, u32),
     /// [`Difference::max_abs`].
     pub max_abs: u8,
     /// [`Difference::differing_pixels`].
@@ -110,13 +127,18 @@ pub fn compare(golden: &EncodedImage, actual: &EncodedImage) -> Option<Compariso
 
 /// What [`of_any`] gives for identical pictures, without the work. Each score
 /// of a window is a quotient of two equal numbers there, hence exactly 1, and
-/// so are their means; the test `identical_pictures_take_no_other_value` holds
+/// so are their means; no color of FLIP is any distance from itself; the test `identical_pictures_take_no_other_value` holds
 /// the two functions against each other.
 fn of_identical() -> Comparison {
     Comparison {
         ssim_mean: 1.0,
         ssim_min: 1.0,
         ssim_min_at: (0, 0),
+        ssim_uniform_mean: 1.0,
+        ssim_uniform_min: 1.0,
+        flip_mean: 0.0,
+        flip_max: 0.0,
+        flip_max_at: (0, 0),
         max_abs: 0,
         differing_pixels: 0,
         first_differing: None,
@@ -130,6 +152,8 @@ fn of_identical() -> Comparison {
 
 fn of_any(pair: &Pair<'_>) -> Comparison {
     let ssim = ssim(pair);
+    let ssim_uniform = ssim_uniform(pair);
+    let flip = flip(pair);
     let difference = difference(pair);
     let rmse = rmse(pair);
     let image_compare = image_compare(pair);
@@ -137,6 +161,11 @@ fn of_any(pair: &Pair<'_>) -> Comparison {
         ssim_mean: ssim.mean,
         ssim_min: ssim.min,
         ssim_min_at: ssim.min_at,
+        ssim_uniform_mean: ssim_uniform.mean,
+        ssim_uniform_min: ssim_uniform.min,
+        flip_mean: flip.mean,
+        flip_max: flip.max,
+        flip_max_at: flip.max_at,
         max_abs: difference.max_abs,
         differing_pixels: difference.differing_pixels,
         first_differing: difference.first_differing,

@@ -66,6 +66,8 @@ fn one_code_of_one_byte_is_seen_wherever_it_is() {
         assert_eq!(found.pixels_over, [0; 8]);
         assert!(0.0 < found.rmse && found.psnr_db.is_some_and(f64::is_finite));
         assert!(found.ssim_min < 1.0 && found.ssim_mean < 1.0, "{index}: {found:?}");
+        assert!(found.ssim_uniform_min < 1.0, "{index}: {found:?}");
+        assert!(0.0 < found.flip_mean && found.flip_mean <= found.flip_max, "{index}: {found:?}");
     }
 }
 
@@ -107,6 +109,10 @@ fn every_metric_is_described_and_reads_its_own_field() {
         Some(found.differing_pixels as f64),
         Some(found.ssim_min),
         Some(found.ssim_mean),
+        Some(found.ssim_uniform_min),
+        Some(found.ssim_uniform_mean),
+        Some(found.flip_max),
+        Some(found.flip_mean),
         Some(found.rmse),
         found.psnr_db,
         found.image_compare_mssim,

@@ -65,7 +65,7 @@ fn blamed_json(blamed: &Blamed) -> Value {
 }
 
 /// A comparison: `{"schema":1, ...}` with every metric by name, where the worst
-/// window and the first differing pixel are, and `pixels_over`, the count of
+/// window, the worst pixel of FLIP and the first differing pixel are, and `pixels_over`, the count of
 /// pixels that differ by more than each threshold.
 pub fn comparison_json(comparison: &Comparison) -> Value {
     let mut document = Map::from_iter([("schema".to_owned(), json!(SCHEMA))]);
@@ -84,6 +84,7 @@ fn metrics(comparison: Option<&Comparison>) -> Map<String, Value> {
         steps.map(|(step, count)| (step.to_string(), json!(count))).collect::<Map<_, _>>()
     };
     map.insert("ssim_min_at".into(), json!(comparison.map(|c| c.ssim_min_at)));
+    map.insert("flip_max_at".into(), json!(comparison.map(|c| c.flip_max_at)));
     map.insert("first_differing".into(), json!(comparison.and_then(|c| c.first_differing)));
     map.insert("pixels_over".into(), json!(comparison.map(pixels_over)));
     map

@@ -1,6 +1,6 @@
-//! The picture pairs that scikit-image was asked about, drawn again.
+//! The picture pairs that other people's programs were asked about, drawn again.
 //!
-//! `record.py` draws them by the same formulas; change neither alone.
+//! `pictures.py` draws them by the same formulas; change neither alone.
 
 use tracer::Size;
 
@@ -9,7 +9,7 @@ use crate::encode::EncodedImage;
 /// The code of a picture at column, row and channel.
 type Code = fn(i64, i64, i64) -> i64;
 
-/// Two pictures and what they are called in `references.txt`.
+/// Two pictures and what they are called in the records.
 pub(super) struct NamedPair {
     pub(super) name: &'static str,
     pub(super) golden: EncodedImage,
@@ -60,66 +60,113 @@ fn box_blur(x: i64, y: i64, c: i64) -> i64 {
     nine.sum::<i64>() / 9
 }
 
+fn hue_board(n: i64, c: i64) -> i64 {
+    let color = if n % 2 == 0 { RUST } else { FLIPPED };
+    color[c as usize]
+}
+
 const RUST: [i64; 3] = [200, 80, 40];
 const FLIPPED: [i64; 3] = [80, 200, 40];
 
-/// Every pair, in the order of `references.txt`.
+fn pair(name: &'static str, width: u32, height: u32, golden: Code, actual: Code) -> NamedPair {
+    NamedPair { name, golden: draw(width, height, golden), actual: draw(width, height, actual) }
+}
+
+/// `PAIRS` of `pictures.py`.
 pub(super) fn pairs() -> Vec<NamedPair> {
-    let mut pairs = Vec::new();
-    let mut add = |name, width, height, golden: Code, actual: Code| {
-        let (golden, actual) = (draw(width, height, golden), draw(width, height, actual));
-        pairs.push(NamedPair { name, golden, actual });
-    };
     let rust_disc: Code = |x, y, c| disc(x, y, c, 30, RUST);
     let board: Code = |x, y, _| checker(x, y);
-    add("faint_noise", 64, 48, slope, |x, y, c| clamp(slope(x, y, c) + noise(x, y, c, 1) % 9 - 4));
-    add("heavy_noise", 64, 48, slope, |x, y, c| {
-        clamp(slope(x, y, c) + noise(x, y, c, 2) % 81 - 40)
-    });
-    add("disc_shifted", 60, 44, rust_disc, |x, y, c| disc(x, y, c, 31, RUST));
-    add("disc_hue_swapped", 60, 44, rust_disc, |x, y, c| disc(x, y, c, 30, FLIPPED));
-    add("disc_missing", 60, 44, rust_disc, slope);
-    add("checker_shifted", 33, 33, board, |x, y, _| checker(x + 1, y));
-    add("checker_negative", 33, 33, board, |x, y, _| checker(x + 4, y));
-    add("one_pixel_inverted", 40, 40, stripes, |x, y, c| {
-        let code = stripes(x, y, c);
-        if (x, y) == (21, 13) { 255 - code } else { code }
-    });
-    add("corner_pixel_inverted", 40, 40, stripes, |x, y, c| {
-        let code = stripes(x, y, c);
-        if (x, y) == (39, 0) { 255 - code } else { code }
-    });
-    add("edge_pixel_inverted", 40, 40, stripes, |x, y, c| {
-        let code = stripes(x, y, c);
-        if (x, y) == (0, 20) { 255 - code } else { code }
-    });
-    add("last_row_faded", 40, 40, stripes, |x, y, c| {
-        let code = stripes(x, y, c);
-        if y == 39 { code / 2 } else { code }
-    });
-    add("one_code_in_the_corner", 40, 40, stripes, |x, y, c| {
-        stripes(x, y, c) + i64::from((x, y, c) == (0, 0, 1))
-    });
-    add("identical", 40, 40, stripes, stripes);
-    add("channels_rotated", 50, 20, stripes, |x, y, c| stripes(x, y, (c + 1) % 3));
-    add(
-        "blue_only",
-        50,
-        20,
-        stripes,
-        |x, y, c| {
+    vec![
+        pair("faint_noise", 64, 48, slope, |x, y, c| {
+            clamp(slope(x, y, c) + noise(x, y, c, 1) % 9 - 4)
+        }),
+        pair("heavy_noise", 64, 48, slope, |x, y, c| {
+            clamp(slope(x, y, c) + noise(x, y, c, 2) % 81 - 40)
+        }),
+        pair("disc_shifted", 60, 44, rust_disc, |x, y, c| disc(x, y, c, 31, RUST)),
+        pair("disc_hue_swapped", 60, 44, rust_disc, |x, y, c| disc(x, y, c, 30, FLIPPED)),
+        pair("disc_missing", 60, 44, rust_disc, slope),
+        pair("checker_shifted", 33, 33, board, |x, y, _| checker(x + 1, y)),
+        pair("checker_negative", 33, 33, board, |x, y, _| checker(x + 4, y)),
+        pair("one_pixel_inverted", 40, 40, stripes, |x, y, c| {
+            let code = stripes(x, y, c);
+            if (x, y) == (21, 13) { 255 - code } else { code }
+        }),
+        pair("corner_pixel_inverted", 40, 40, stripes, |x, y, c| {
+            let code = stripes(x, y, c);
+            if (x, y) == (39, 0) { 255 - code } else { code }
+        }),
+        pair("edge_pixel_inverted", 40, 40, stripes, |x, y, c| {
+            let code = stripes(x, y, c);
+            if (x, y) == (0, 20) { 255 - code } else { code }
+        }),
+        pair("last_row_faded", 40, 40, stripes, |x, y, c| {
+            let code = stripes(x, y, c);
+            if y == 39 { code / 2 } else { code }
+        }),
+        pair("one_code_in_the_corner", 40, 40, stripes, |x, y, c| {
+            stripes(x, y, c) + i64::from((x, y, c) == (0, 0, 1))
+        }),
+        pair("identical", 40, 40, stripes, stripes),
+        pair("channels_rotated", 50, 20, stripes, |x, y, c| stripes(x, y, (c + 1) % 3)),
+        pair("blue_only", 50, 20, stripes, |x, y, c| {
             if c == 2 { noise(x, y, c, 3) } else { stripes(x, y, c) }
-        },
-    );
-    add("dimmed", 64, 48, stripes, |x, y, c| stripes(x, y, c) * 49 / 50);
-    add("upside_down", 37, 41, stripes, |x, y, c| stripes(x, 40 - y, c));
-    add("noise_negative", 31, 17, |x, y, c| noise(x, y, c, 4), |x, y, c| 255 - noise(x, y, c, 4));
-    add("noise_blurred", 45, 30, |x, y, c| noise(x + 1, y + 1, c, 5), box_blur);
-    add("flat_brighter", 20, 20, |_, _, _| 100, |_, _, _| 110);
-    add("flat_black_white", 20, 20, |_, _, _| 0, |_, _, _| 255);
-    add("flat_against_noise", 20, 20, |_, _, _| 128, |x, y, c| 127 + noise(x, y, c, 6) % 3);
-    add("single_window", 11, 11, |x, y, c| noise(x, y, c, 7), |x, y, c| noise(x, y, c, 8));
-    add("narrow", 12, 30, |x, y, c| noise(x, y, c, 9), |x, y, c| noise(x, y, c, 9) / 2 + 60);
-    add("wide_single_row", 60, 11, slope, |x, y, c| slope(y, x, c));
-    pairs
+        }),
+        pair("dimmed", 64, 48, stripes, |x, y, c| stripes(x, y, c) * 49 / 50),
+        pair("upside_down", 37, 41, stripes, |x, y, c| stripes(x, 40 - y, c)),
+        pair(
+            "noise_negative",
+            31,
+            17,
+            |x, y, c| noise(x, y, c, 4),
+            |x, y, c| 255 - noise(x, y, c, 4),
+        ),
+        pair("noise_blurred", 45, 30, |x, y, c| noise(x + 1, y + 1, c, 5), box_blur),
+        pair("flat_brighter", 20, 20, |_, _, _| 100, |_, _, _| 110),
+        pair("flat_black_white", 20, 20, |_, _, _| 0, |_, _, _| 255),
+        pair("flat_against_noise", 20, 20, |_, _, _| 128, |x, y, c| 127 + noise(x, y, c, 6) % 3),
+        pair("single_window", 11, 11, |x, y, c| noise(x, y, c, 7), |x, y, c| noise(x, y, c, 8)),
+        pair("narrow", 12, 30, |x, y, c| noise(x, y, c, 9), |x, y, c| noise(x, y, c, 9) / 2 + 60),
+        pair("wide_single_row", 60, 11, slope, |x, y, c| slope(y, x, c)),
+    ]
+}
+
+/// `SMALL_PAIRS` of `pictures.py`.
+pub(super) fn small_pairs() -> Vec<NamedPair> {
+    vec![
+        pair("pixel", 1, 1, |_, _, c| 40 * c + 30, |_, _, c| 200 - 60 * c),
+        pair("pixel_black_white", 1, 1, |_, _, _| 0, |_, _, _| 255),
+        pair(
+            "pixel_green_blue",
+            1,
+            1,
+            |_, _, c| [0, 255, 0][c as usize],
+            |_, _, c| [0, 0, 255][c as usize],
+        ),
+        pair("column", 1, 9, |x, y, c| noise(x, y, c, 10), |x, y, c| noise(x, y, c, 11)),
+        pair("row", 40, 1, |x, y, c| noise(x, y, c, 12), |x, y, c| noise(x + 1, y, c, 12)),
+        pair("two_by_three", 2, 3, |x, y, c| noise(x, y, c, 13), |x, y, c| noise(x, y, c, 14)),
+        pair("smaller_than_a_window", 6, 5, stripes, |x, y, c| stripes(x, 4 - y, c)),
+    ]
+}
+
+/// `SEEN_PAIRS` of `pictures.py`.
+pub(super) fn seen_pairs() -> Vec<NamedPair> {
+    vec![
+        pair(
+            "dark_noise",
+            30,
+            21,
+            |x, y, c| noise(x, y, c, 15) % 12,
+            |x, y, c| noise(x, y, c, 16) % 12,
+        ),
+        pair(
+            "hue_board_inverted",
+            24,
+            24,
+            |x, y, c| hue_board(x + y, c),
+            |x, y, c| hue_board(x + y + 1, c),
+        ),
+        pair("line_drawn", 50, 40, |_, _, _| 180, |x, y, _| if x == y { 30 } else { 180 }),
+    ]
 }
