@@ -1,9 +1,11 @@
 //! `Fixture`: a scene file with its check, ready to be rendered and judged.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use scene::{Assets, Encoding, MAX_SCENE_BYTES, SceneFile};
+use serde::{Deserialize, Serialize};
 pub use tracer::Skipping;
 pub use tracer::accel::Build;
 use tracer::{LinearImage, Plan, Scene, Stats, render, render_counted};
@@ -12,6 +14,7 @@ use crate::check::Check;
 use crate::encode::{Transfer, encode};
 use crate::expectation::Rendered;
 use crate::golden::Provenance;
+use crate::hash::{self, content_hash};
 use crate::store::{self, FolderAssets};
 
 /// A fixture without problems.
@@ -25,6 +28,18 @@ pub struct Fixture {
     pub transfer: Transfer,
     /// The content that decides its picture.
     pub provenance: Provenance,
+    /// The files that this fixture was read from.
+    pub sources: Sources,
+}
+
+/// Hashes of the very bytes that a fixture was read from.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sources {
+    /// Of the scene file, its `check` and comments included.
+    pub fixture: String,
+    /// Of each file that the scene names.
+    pub assets: BTreeMap<String, String>,
 }
 
 impl Fixture {
@@ -56,9 +71,13 @@ impl Fixture {
             Encoding::Srgb => Transfer::Srgb,
         };
         let check = loaded.file.check.clone().unwrap_or_default();
-        let provenance = provenance(loaded.file, assets.seen.into_inner())
-            .map_err(|error| format!("{name}: {error}\n"))?;
-        Ok(Self { scene: loaded.scene, check, transfer, provenance })
+        let seen = assets.seen.into_inner();
+        let hash = |(name, hash): &(String, blake3::Hash)| (name.clone(), hash::short(hash));
+        let sources =
+            Sources { fixture: content_hash(text), assets: seen.iter().map(hash).collect() };
+        let provenance =
+            provenance(loaded.file, seen).map_err(|error| format!("{name}: {error}\n"))?;
+        Ok(Self { scene: loaded.scene, check, transfer, provenance, sources })
     }
 
     /// The picture before encoding.
@@ -109,14 +128,8 @@ fn provenance(file: SceneFile<Check>, mut assets: Seen) -> Result<Provenance, se
     for (name, hash) in &assets {
         listing.extend([hash.to_hex().as_str(), " ", name, "\n"]);
     }
-    Ok(Provenance { schema: 1, scene: short_hash(&scene), assets: short_hash(&listing) })
-}
-
-/// 128 bits: enough to tell any two scenes apart.
-fn short_hash(text: &str) -> String {
-    let mut hex = blake3::hash(text.as_bytes()).to_hex().to_string();
-    hex.truncate(32);
-    hex
+    let (scene, assets) = (content_hash(scene), content_hash(listing));
+    Ok(Provenance { schema: Provenance::SCHEMA, scene, assets })
 }
 
 /// Passes files on and notes what they held.
@@ -135,8 +148,6 @@ impl Assets for Hashing<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::*;
 
     const SCENE: &str = r#"(

@@ -9,6 +9,7 @@ use tracer::accel::Build;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden;
+use crate::hash::content_hash;
 use crate::judge::{Found, Judgment, judge};
 use crate::picture::strip;
 use crate::store::{self, StoreError};
@@ -40,11 +41,7 @@ pub fn run(
     };
     let mut outcomes: Vec<_> =
         selection.fixtures.par_iter().map(judge_one).collect::<Result<_, StoreError>>()?;
-    for name in &selection.orphans {
-        let outcome = orphan(name);
-        on_outcome(&outcome);
-        outcomes.push(outcome);
-    }
+    outcomes.extend(orphans(selection).into_iter().inspect(on_outcome));
     outcomes.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(outcomes)
 }
@@ -56,6 +53,8 @@ pub struct Judged {
     pub rendered: Result<(Fixture, Rendered), String>,
     /// What is in the golden's place.
     pub found: Found,
+    /// The hash of the golden's file; `None` where none can be read.
+    pub golden_hash: Option<String>,
     /// What is said.
     pub judgment: Judgment,
     /// How long reading and rendering took, in milliseconds.
@@ -70,7 +69,9 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
     let rendered = render_fixture(suite, name);
     let render_ms = milliseconds_since(started);
     let started = Instant::now();
-    let found = find_golden(&suite.golden_path(name));
+    let file = read_golden(&suite.golden_path(name));
+    let golden_hash = file.as_ref().ok().and_then(Option::as_ref).map(content_hash);
+    let found = Found::in_file(file);
     let judgment = match &rendered {
         Ok((fixture, picture)) => judge(fixture, picture, &found),
         Err(why) => Judgment {
@@ -80,7 +81,8 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
             comparison: None,
         },
     };
-    Judged { rendered, found, judgment, render_ms, compare_ms: milliseconds_since(started) }
+    let compare_ms = milliseconds_since(started);
+    Judged { rendered, found, golden_hash, judgment, render_ms, compare_ms }
 }
 
 /// The fixture and its picture.
@@ -96,30 +98,33 @@ pub fn render_fixture(suite: &Suite, name: &str) -> Result<(Fixture, Rendered), 
 
 /// What is at the path of a golden.
 pub fn find_golden(path: &Path) -> Found {
-    match store::read(path, MAX_GOLDEN_BYTES) {
-        Ok(None) => Found::Nothing,
-        Ok(Some(bytes)) => match golden::from_png(&bytes) {
-            Ok(golden) => Found::Golden(golden),
-            Err(why) => Found::Unreadable(why),
-        },
-        Err(error) => Found::Unreadable(error.what),
-    }
+    Found::in_file(read_golden(path))
+}
+
+/// The bytes at the path of a golden; `None` where there is no file.
+///
+/// # Errors
+/// A file that cannot be read.
+pub(crate) fn read_golden(path: &Path) -> Result<Option<Vec<u8>>, StoreError> {
+    store::read(path, MAX_GOLDEN_BYTES)
 }
 
 fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
-    let judged = judge_fixture(suite, name);
-    let Judged { rendered, found, judgment, render_ms, compare_ms } = judged;
+    outcome(suite, name, judge_fixture(suite, name))
+}
+
+/// What is said of a fixture, after a failure has left its strip.
+pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outcome, StoreError> {
+    let Judged { rendered, found, judgment, render_ms, compare_ms, .. } = judged;
     let picture = rendered.ok().map(|(_, picture)| picture.encoded);
     let mut outcome = Outcome {
-        name: name.to_owned(),
-        verdict: judgment.verdict,
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
         comparison: judgment.comparison,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,
         compare_ms,
-        strip: None,
+        ..Outcome::unrendered(name, judgment.verdict)
     };
     if let (Some(picture), false) = (picture, outcome.verdict == Verdict::Match) {
         let png = golden::to_png(&strip(found.picture(), &picture), None);
@@ -132,18 +137,13 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
     Ok(outcome)
 }
 
-fn orphan(name: &str) -> Outcome {
-    Outcome {
-        name: name.to_owned(),
-        verdict: Verdict::OrphanGolden,
+/// What is said of goldens without a fixture.
+pub(crate) fn orphans(selection: &Selection) -> Vec<Outcome> {
+    let orphan = |name: &String| Outcome {
         findings: vec![format!("there is no {}", Suite::fixture_label(name))],
-        breaks_expectations: false,
-        comparison: None,
-        size: None,
-        render_ms: 0.0,
-        compare_ms: 0.0,
-        strip: None,
-    }
+        ..Outcome::unrendered(name, Verdict::OrphanGolden)
+    };
+    selection.orphans.iter().map(orphan).collect()
 }
 
 fn milliseconds_since(started: Instant) -> f64 {

@@ -67,6 +67,28 @@ pub fn program_hash() -> Result<String, StoreError> {
     Ok(blake3::hash(&bytes).to_hex().to_string())
 }
 
+/// How the names of half-written files begin and end. They are hidden and have
+/// no ending of a fixture or golden, so that none is taken for one.
+const TEMPORARY: (&str, &str) = (".goldray-", ".tmp");
+
+/// Removes the half-written files below a folder that killed programs have left
+/// behind. Those that a program is writing are locked by it, and stay.
+pub fn sweep(folder: &Path) {
+    for entry in WalkDir::new(folder).into_iter().filter_map(Result::ok) {
+        let name = entry.file_name().as_encoded_bytes();
+        let is_temporary = entry.file_type().is_file()
+            && name.starts_with(TEMPORARY.0.as_bytes())
+            && name.ends_with(TEMPORARY.1.as_bytes());
+        if is_temporary {
+            let abandoned = fs::File::options().write(true).open(entry.path());
+            if abandoned.is_ok_and(|file| file.try_lock().is_ok()) {
+                // Should it stay, it is as harmless as before.
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+    }
+}
+
 /// Writes the file whole or not at all, with the folders it needs.
 ///
 /// # Errors
@@ -88,11 +110,14 @@ fn write_then(
         let folder = path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
         let mut temporary = tempfile::Builder::new();
-        temporary.prefix(".goldray-").suffix(".tmp");
+        temporary.prefix(TEMPORARY.0).suffix(TEMPORARY.1);
         // Temporary files are private by default; a golden is for everyone.
         #[cfg(unix)]
         temporary.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
         let mut file = temporary.tempfile_in(folder)?;
+        // Held until the file has its place, so that `sweep` leaves it alone.
+        // Where there are no locks, `sweep` removes nothing.
+        let _ = file.as_file().try_lock();
         file.write_all(bytes)?;
         file.as_file().sync_all()?;
         persist(file)
@@ -175,6 +200,14 @@ pub fn is_inside(path: &Path, folder: &Path) -> bool {
     let parent = plain.parent().unwrap_or(&plain);
     let really = parent.ancestors().find_map(|there| there.canonicalize().ok());
     really.zip(folder.canonicalize().ok()).is_some_and(|(path, folder)| path.starts_with(folder))
+}
+
+/// The path without links or relative parts.
+///
+/// # Errors
+/// A path where nothing is.
+pub fn real_path(path: &Path) -> Result<PathBuf, StoreError> {
+    path.canonicalize().map_err(|error| StoreError::io(path, &error))
 }
 
 /// Whether this is a file.
