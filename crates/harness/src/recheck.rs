@@ -62,9 +62,9 @@ pub fn recheck(
         outcomes.push(outcome);
     }
     if is_belied {
-        Record::remove(suite)?
+        Record::remove(suite)?;
     } else {
-        record.store(suite, rendered)?
+        record.store(suite, rendered)?;
     }
     outcomes.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(outcomes)

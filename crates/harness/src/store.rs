@@ -7,6 +7,7 @@
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::OnceLock;
 
 use scene::{Assets, MAX_ASSET_BYTES};
 use tempfile::NamedTempFile;
@@ -62,9 +63,19 @@ pub fn read(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>, StoreError> 
 /// # Errors
 /// A program that cannot be read.
 pub fn program_hash() -> Result<String, StoreError> {
-    let path = std::env::current_exe().map_err(|error| StoreError::io(Path::new("."), &error))?;
+    static HASH: OnceLock<String> = OnceLock::new();
+    if let Some(hash) = HASH.get() {
+        return Ok(hash.clone());
+    }
+    // The file by its name may be of a later build than what runs.
+    let path = if cfg!(target_os = "linux") {
+        Ok(PathBuf::from("/proc/self/exe"))
+    } else {
+        std::env::current_exe()
+    };
+    let path = path.map_err(|error| StoreError::io(Path::new("."), &error))?;
     let bytes = fs::read(&path).map_err(|error| StoreError::io(&path, &error))?;
-    Ok(blake3::hash(&bytes).to_hex().to_string())
+    Ok(HASH.get_or_init(|| blake3::hash(&bytes).to_hex().to_string()).clone())
 }
 
 /// How the names of half-written files begin and end. They are hidden and have
@@ -333,6 +344,27 @@ mod tests {
         assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"1"[..]));
         write(&path, b"4").unwrap();
         assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"4"[..]));
+    }
+
+    #[test]
+    fn only_what_nobody_is_writing_is_swept_away() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let left = path("deep/.goldray-dead.tmp");
+        for name in ["deep/.goldray-dead.tmp", "deep/a.png", ".goldray-a.png", "a.tmp"] {
+            write(&path(name), b"1").unwrap();
+        }
+        write_then(&path("deep/b.png"), b"2", |file| {
+            sweep(folder.path());
+            assert!(is_file(file.path()), "it is being written");
+            assert!(!is_file(&left));
+            file.persist(path("deep/b.png")).map(drop).map_err(|error| error.error)
+        })
+        .unwrap();
+        for name in ["deep/a.png", "deep/b.png", ".goldray-a.png", "a.tmp"] {
+            assert!(is_file(&path(name)), "{name}");
+        }
+        sweep(&path("nowhere"));
     }
 
     #[test]
