@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 
 use conformance::{repository, repository_suite};
 use harness::fixture::{Build, Fixture};
+use harness::metric::corpus;
 use harness::relation::Relation;
 use harness::suite::Suite;
-use harness::metric::corpus;
 use harness::{golden, judge, picture, run, sample_mesh};
 
 /// Every Rust file below a folder of the repository, with its text.

@@ -267,7 +267,7 @@ fn what_cannot_be_written_or_removed_is_refused() {
     // A folder in the golden's place.
     store::write(&golden.join("x"), b"").unwrap();
     let selection = Selection { fixtures: vec!["a".into()], orphans: vec!["gone".into()] };
-    let blessed = harness::bless::bless(scratch.suite(), &selection, true, &|_, _| ());
+    let blessed = harness::bless::bless(scratch.suite(), &selection, true).unwrap();
     for (name, blessed) in blessed {
         assert!(matches!(blessed, Blessed::Refused(_)), "{name}: {blessed:?}");
     }
@@ -354,7 +354,7 @@ fn bless_writes_only_what_is_no_match_and_refuses_what_is_wrong() {
     let a = scratch.golden("a");
     scratch.set_fixture("b", &SQUARE.replace("(1, 1, 1)", "(1, 0.5, 1)").replace("64", "48"));
     let selection = scratch.suite().select(&[]).unwrap();
-    let blessed = harness::bless::bless(scratch.suite(), &selection, false, &|_, _| ());
+    let blessed = harness::bless::bless(scratch.suite(), &selection, false).unwrap();
     let names: Vec<_> = blessed.iter().map(|(name, b)| format!("{name}: {b:?}")).collect();
     assert!(names[0].starts_with("a: Untouched"), "{names:?}");
     assert!(names[1].starts_with("b: Replaced"), "{names:?}");

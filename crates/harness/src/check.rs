@@ -24,6 +24,33 @@ pub struct Check {
     /// Which other scenes' pictures it must be like.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub relations: Vec<Relation>,
+    /// Why the golden's file may be larger than [`Check::MAX_FILE_BYTES`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub large: Option<String>,
+}
+
+impl Check {
+    /// The largest file of a golden whose fixture does not say why it is
+    /// large, in bytes. Goldens stay in the repository's history for good; a
+    /// picture of one idea takes about a tenth of this.
+    pub const MAX_FILE_BYTES: usize = 20 << 10;
+
+    /// What is wrong with a golden's file of so many bytes; `None` where it is
+    /// small enough, or large for a reason.
+    pub fn file_size_problem(&self, bytes: usize) -> Option<String> {
+        let max = Self::MAX_FILE_BYTES;
+        match &self.large {
+            None if bytes > max => Some(format!(
+                "the golden takes {bytes} bytes, expected at most {max}: make the picture smaller \
+                 or plainer, or say why it must be so large: check: (large: \"...\")"
+            )),
+            Some(_) if bytes <= max => Some(format!(
+                "the fixture's check says `large`, but its golden takes {bytes} bytes, no more than \
+                 the {max} that any may: take `large` out"
+            )),
+            _ => None,
+        }
+    }
 }
 
 impl scene::Check for Check {
@@ -32,6 +59,10 @@ impl scene::Check for Check {
             for (field, message) in limits.problems(u64::from(image.0) * u64::from(image.1)) {
                 report(vec!["limits".into(), field.into()], message);
             }
+        }
+        if self.large.as_ref().is_some_and(|why| why.trim().is_empty()) {
+            let message = "`large`: expected why the golden is large".to_owned();
+            report(vec!["large".into()], message);
         }
         for (i, expectation) in self.expect.iter().enumerate() {
             for (field, message) in expectation.problems(image) {

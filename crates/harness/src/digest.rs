@@ -60,7 +60,8 @@ fn of_linear(picture: &LinearImage) -> String {
     hex(picture.size(), &channels.flat_map(|c| c.to_bits().to_le_bytes()).collect::<Vec<_>>())
 }
 
-fn of_encoded(picture: &EncodedImage) -> String {
+/// The digest of a picture of 8 bits a channel.
+pub(crate) fn of_encoded(picture: &EncodedImage) -> String {
     hex(picture.size(), picture.bytes())
 }
 

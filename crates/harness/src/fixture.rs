@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use scene::{Assets, Encoding, MAX_SCENE_BYTES};
+use serde::{Deserialize, Serialize};
 pub use tracer::Skipping;
 pub use tracer::accel::Build;
 use tracer::{LinearImage, Plan, Scene, Stats, render, render_counted};
@@ -13,6 +14,7 @@ use crate::check::{Check, File};
 use crate::encode::{Transfer, encode};
 use crate::expectation::Rendered;
 use crate::golden::Provenance;
+use crate::hash::{self, content_hash};
 use crate::store::{self, FolderAssets};
 
 /// A fixture without problems.
@@ -26,6 +28,8 @@ pub struct Fixture {
     pub transfer: Transfer,
     /// The content that decides its picture.
     pub provenance: Provenance,
+    /// The files that this fixture was read from.
+    pub sources: Sources,
     /// What was written, without its check.
     pub(crate) file: File,
     /// What else related scenes are made of.
@@ -33,6 +37,16 @@ pub struct Fixture {
     build: Build,
     /// The text that it was read from.
     pub text: String,
+}
+
+/// Hashes of the very bytes that a fixture was read from.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sources {
+    /// Of the scene file, its `check` and comments included.
+    pub fixture: String,
+    /// Of each file that the scene names.
+    pub assets: BTreeMap<String, String>,
 }
 
 impl Fixture {
@@ -64,11 +78,13 @@ impl Fixture {
             Encoding::Srgb => Transfer::Srgb,
         };
         let check = file.check.take().unwrap_or_default();
-        let provenance = provenance(&file, assets.seen.into_inner())
-            .map_err(|error| format!("{name}: {error}\n"))?;
-        let assets = assets.kept.into_inner();
-        let text = text.to_owned();
-        Ok(Self { scene, check, transfer, provenance, file, assets, build, text })
+        let seen = assets.seen.into_inner();
+        let hash = |(name, hash): &(String, blake3::Hash)| (name.clone(), hash::short(hash));
+        let sources =
+            Sources { fixture: content_hash(text), assets: seen.iter().map(hash).collect() };
+        let provenance = provenance(&file, seen).map_err(|error| format!("{name}: {error}\n"))?;
+        let (assets, text) = (assets.kept.into_inner(), text.to_owned());
+        Ok(Self { scene, check, transfer, provenance, sources, file, assets, build, text })
     }
 
     /// Where each object is written, by number.
@@ -168,14 +184,8 @@ fn provenance(file: &File, mut assets: Seen) -> Result<Provenance, serde_json::E
     for (name, hash) in &assets {
         listing.extend([hash.to_hex().as_str(), " ", name, "\n"]);
     }
-    Ok(Provenance { schema: 1, scene: short_hash(&scene), assets: short_hash(&listing) })
-}
-
-/// 128 bits: enough to tell any two scenes apart.
-fn short_hash(text: &str) -> String {
-    let mut hex = blake3::hash(text.as_bytes()).to_hex().to_string();
-    hex.truncate(32);
-    hex
+    let (scene, assets) = (content_hash(scene), content_hash(listing));
+    Ok(Provenance { schema: Provenance::SCHEMA, scene, assets })
 }
 
 /// Passes files on and notes what they held.
@@ -196,8 +206,6 @@ impl Assets for Hashing<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::*;
 
     const SCENE: &str = r#"(

@@ -1,11 +1,18 @@
 //! `Golden`: an accepted picture as a PNG file, with a note of the scene it
 //! was accepted for.
 
-use png::{BitDepth, ColorType, Compression, Decoder, Encoder, Limits, Transformations};
+mod layout;
+#[cfg(test)]
+mod tests;
+
+use png::{BitDepth, ColorType, Decoder, Filter, Limits, Transformations};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use tracer::{Scene, Size};
 
+use crate::digest;
 use crate::encode::EncodedImage;
+use layout::Layout;
 
 /// The keyword of the PNG text chunk that holds the provenance.
 const KEYWORD: &str = "goldray";
@@ -25,6 +32,37 @@ pub struct Provenance {
     pub assets: String,
 }
 
+impl Provenance {
+    /// The version of the notes that are written. Version 1 had no digest of
+    /// the picture.
+    pub const SCHEMA: u32 = 2;
+}
+
+/// The text of the chunk.
+#[derive(Serialize, Deserialize)]
+struct Note {
+    #[serde(flatten)]
+    provenance: Provenance,
+    /// The digest of the picture that was accepted, as in `golden/digests.txt`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    picture: Option<String>,
+}
+
+impl Note {
+    /// Another program may have damaged it; a note without what its version
+    /// promises is none.
+    fn read(text: &str) -> Option<Self> {
+        let note: Self = serde_json::from_str(text).ok()?;
+        (note.picture.is_some() || note.provenance.schema < Provenance::SCHEMA).then_some(note)
+    }
+
+    fn write(picture: &EncodedImage, provenance: &Provenance) -> Result<String, String> {
+        let note =
+            Self { provenance: provenance.clone(), picture: Some(digest::of_encoded(picture)) };
+        serde_json::to_string(&note).map_err(|error| error.to_string())
+    }
+}
+
 /// An accepted picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Golden {
@@ -33,27 +71,54 @@ pub struct Golden {
     /// Its note; `None` where the file has none, as after another program has
     /// saved it.
     pub provenance: Option<Provenance>,
+    /// The digest of the picture that was accepted; `None` without a note and
+    /// in notes of version 1.
+    pub accepted: Option<String>,
+    /// The size of the file, in bytes.
+    pub file_bytes: usize,
 }
 
-/// The PNG file of a golden.
+impl Golden {
+    /// Whether the picture is another than its note was written for.
+    pub fn is_tampered(&self) -> bool {
+        self.accepted.as_ref().is_some_and(|digest| *digest != digest::of_encoded(&self.picture))
+    }
+}
+
+/// The PNG file of a picture, with a note where it is a golden. It is made
+/// fast; [`smallest_png`] makes it small.
 ///
 /// # Errors
 /// What the encoder says.
 pub fn to_png(picture: &EncodedImage, provenance: Option<&Provenance>) -> Result<Vec<u8>, String> {
-    let Size { width, height } = picture.size();
-    let mut bytes = Vec::new();
-    let mut encoder = Encoder::new(&mut bytes, width, height);
-    encoder.set_color(ColorType::Rgb);
-    encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::High);
-    if let Some(provenance) = provenance {
-        let note = serde_json::to_string(provenance).map_err(|error| error.to_string())?;
-        encoder.add_text_chunk(KEYWORD.to_owned(), note).map_err(|error| error.to_string())?;
-    }
-    let mut writer = encoder.write_header().map_err(|error| error.to_string())?;
-    writer.write_image_data(picture.bytes()).map_err(|error| error.to_string())?;
-    writer.finish().map_err(|error| error.to_string())?;
-    Ok(bytes)
+    let note = provenance.map(|provenance| Note::write(picture, provenance)).transpose()?;
+    Layout::rgb(picture).to_png(picture.size(), Filter::Adaptive, note.as_deref())
+}
+
+/// The PNG file of a golden in few bytes: of all layouts that hold the picture
+/// and all filters, the pair that compresses best, the first of equals. The
+/// same bytes for the same picture and note.
+///
+/// # Errors
+/// What the encoder says.
+pub fn smallest_png(picture: &EncodedImage, provenance: &Provenance) -> Result<Vec<u8>, String> {
+    const FILTERS: [Filter; 7] = [
+        Filter::NoFilter,
+        Filter::Sub,
+        Filter::Up,
+        Filter::Avg,
+        Filter::Paeth,
+        Filter::Adaptive,
+        Filter::MinEntropy,
+    ];
+    let note = Note::write(picture, provenance)?;
+    let layouts = Layout::all(picture);
+    let ways = layouts.par_iter().flat_map_iter(|layout| FILTERS.map(|filter| (layout, filter)));
+    let files: Vec<_> = ways
+        .map(|(layout, filter)| layout.to_png(picture.size(), filter, Some(&note)))
+        .collect::<Result<_, String>>()?;
+    let smallest = files.into_iter().min_by_key(Vec::len);
+    smallest.ok_or_else(|| "there is no way to write the picture".to_owned())
 }
 
 /// Reads a PNG file as an 8-bit RGB picture. Gray and palette pictures are
@@ -105,10 +170,9 @@ pub fn from_png(bytes: &[u8]) -> Result<Golden, String> {
     let size = Size { width: frame.width, height: frame.height };
     let picture = EncodedImage::from_bytes(size, rgb).ok_or("has a wrong count of pixels")?;
     let mut texts = reader.info().uncompressed_latin1_text.iter();
-    let provenance = texts
-        .find(|text| text.keyword == KEYWORD)
-        .and_then(|text| serde_json::from_str(&text.text).ok());
-    Ok(Golden { picture, provenance })
+    let note = texts.find(|text| text.keyword == KEYWORD).and_then(|text| Note::read(&text.text));
+    let (provenance, accepted) = note.map(|note| (note.provenance, note.picture)).unzip();
+    Ok(Golden { picture, provenance, accepted: accepted.flatten(), file_bytes: bytes.len() })
 }
 
 /// Whether the file is one PNG picture and nothing else: whole chunks up to the
@@ -133,85 +197,4 @@ fn check_chunks(bytes: &[u8]) -> Result<(), String> {
         rest = rest.get(length.saturating_add(FRAME)..).unwrap_or_default();
     }
     if notes > 1 { Err(format!("has {notes} notes of its scene: expected one")) } else { Ok(()) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn picture() -> EncodedImage {
-        let size = Size { width: 40, height: 3 };
-        EncodedImage::from_bytes(size, (0..=255).cycle().take(360).collect()).unwrap()
-    }
-
-    fn note() -> Provenance {
-        Provenance { schema: 1, scene: "abc".into(), assets: "def".into() }
-    }
-
-    #[test]
-    fn a_golden_comes_back_with_its_note() {
-        for provenance in [None, Some(note())] {
-            let bytes = to_png(&picture(), provenance.as_ref()).unwrap();
-            assert_eq!(from_png(&bytes).unwrap(), Golden { picture: picture(), provenance });
-        }
-    }
-
-    #[test]
-    fn every_way_of_cutting_it_short_is_noticed() {
-        let bytes = to_png(&picture(), Some(&note())).unwrap();
-        for length in 0..bytes.len() {
-            assert!(from_png(&bytes[..length]).is_err(), "{length} of {} bytes", bytes.len());
-        }
-    }
-
-    #[test]
-    fn a_file_that_is_more_than_one_picture_is_refused() {
-        let error = |bytes: &[u8]| from_png(bytes).unwrap_err();
-        let mut bytes = to_png(&picture(), Some(&note())).unwrap();
-        let text_at = bytes.windows(4).position(|w| w == b"tEXt").unwrap() - 4;
-        let length = u32::from_be_bytes(bytes[text_at..text_at + 4].try_into().unwrap()) as usize;
-        let text = bytes[text_at..text_at + length + 12].to_vec();
-        let twice = [&bytes[..text_at], &text, &bytes[text_at..]].concat();
-        assert!(error(&twice).contains("2 notes"));
-        bytes.push(0);
-        assert!(error(&bytes).contains("behind its end"));
-    }
-
-    #[test]
-    fn a_picture_too_large_to_be_one_is_refused_before_it_is_read() {
-        let mut bytes = Vec::new();
-        let mut encoder = Encoder::new(&mut bytes, 18_000, 18_000);
-        encoder.set_color(ColorType::Grayscale);
-        encoder.set_depth(BitDepth::One);
-        let mut writer = encoder.write_header().unwrap();
-        writer.write_image_data(&vec![0; 18_000 / 8 * 18_000]).unwrap();
-        writer.finish().unwrap();
-        assert!(from_png(&bytes).unwrap_err().contains("more pixels than any picture"));
-    }
-
-    #[test]
-    fn what_would_lose_something_is_refused() {
-        let encoded = |color, depth, data: &[u8]| {
-            let mut bytes = Vec::new();
-            let mut encoder = Encoder::new(&mut bytes, 1, 1);
-            encoder.set_color(color);
-            encoder.set_depth(depth);
-            let mut writer = encoder.write_header().unwrap();
-            writer.write_image_data(data).unwrap();
-            writer.finish().unwrap();
-            from_png(&bytes).map(|golden| golden.picture.bytes().to_vec())
-        };
-        let eight = BitDepth::Eight;
-        assert_eq!(encoded(ColorType::Rgba, eight, &[1, 2, 3, 255]), Ok(vec![1, 2, 3]));
-        assert_eq!(encoded(ColorType::Grayscale, eight, &[7]), Ok(vec![7; 3]));
-        assert_eq!(encoded(ColorType::GrayscaleAlpha, eight, &[7, 255]), Ok(vec![7; 3]));
-        assert!(encoded(ColorType::Rgba, eight, &[1, 2, 3, 254]).unwrap_err().contains("transp"));
-        let deep = encoded(ColorType::Rgb, BitDepth::Sixteen, &[0; 6]);
-        assert!(deep.unwrap_err().contains("16 bits"));
-        let faint = encoded(ColorType::GrayscaleAlpha, eight, &[7, 254]);
-        assert!(faint.unwrap_err().contains("transparent"));
-        assert!(from_png(b"").is_err() && from_png(b"P6 1 1 255 abc").is_err());
-        let pointer = from_png(b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
-        assert!(pointer.unwrap_err().contains("git lfs pull"));
-    }
 }

@@ -5,9 +5,10 @@
 use crate::encode::EncodedImage;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
-use crate::golden::Golden;
+use crate::golden::{self, Golden};
 use crate::limits::Limits;
 use crate::metric::{Comparison, compare};
+use crate::store::StoreError;
 use crate::verdict::Verdict;
 
 /// What was found in the golden's place.
@@ -22,6 +23,18 @@ pub enum Found {
 }
 
 impl Found {
+    /// What the file in the golden's place holds.
+    pub(crate) fn in_file(file: Result<Option<Vec<u8>>, StoreError>) -> Self {
+        match file {
+            Ok(None) => Self::Nothing,
+            Ok(Some(bytes)) => match golden::from_png(&bytes) {
+                Ok(golden) => Self::Golden(golden),
+                Err(why) => Self::Unreadable(why),
+            },
+            Err(error) => Self::Unreadable(error.what),
+        }
+    }
+
     /// The golden's picture, if there is one.
     pub fn picture(&self) -> Option<&EncodedImage> {
         match self {
@@ -47,8 +60,9 @@ pub struct Judgment {
 }
 
 /// Judges a picture. Where several things are wrong, the verdict is the first
-/// of: unreadable golden, missing golden, stale golden, wrong size, differs,
-/// broken expectation, golden without provenance; all of them are findings.
+/// of: unreadable golden, missing golden, tampered golden, stale golden, wrong
+/// size, differs, broken expectation, golden without provenance, size of the
+/// golden's file; all of them are findings.
 /// Nothing is rendered: relations are asked by [`crate::relation::broken`], and
 /// come after all these.
 pub fn judge(fixture: &Fixture, picture: &Rendered, found: &Found) -> Judgment {
@@ -61,6 +75,13 @@ pub fn judge(fixture: &Fixture, picture: &Rendered, found: &Found) -> Judgment {
             Verdict::StaleGolden
         }
         verdict => verdict,
+    };
+    let verdict = match file_size_problem(fixture, found) {
+        None => verdict,
+        Some(problem) => {
+            findings.push(problem);
+            if verdict == Verdict::Match { Verdict::GoldenFileSize } else { verdict }
+        }
     };
     let breaks_expectations = !broken.is_empty();
     findings.extend(broken);
@@ -87,6 +108,11 @@ pub fn broken_expectations(fixture: &Fixture, picture: &Rendered) -> Vec<String>
     expectations.filter_map(|expectation| expectation.check(picture).err()).collect()
 }
 
+fn file_size_problem(fixture: &Fixture, found: &Found) -> Option<String> {
+    let Found::Golden(golden) = found else { return None };
+    fixture.check.file_size_problem(golden.file_bytes)
+}
+
 fn no_provenance(found: &Found) -> bool {
     matches!(found, Found::Golden(Golden { provenance: None, .. }))
 }
@@ -108,17 +134,30 @@ fn against_golden(
     let comparison = compare(&golden.picture, &picture.encoded);
     let mut findings = Vec::new();
     let mut verdicts = Vec::new();
+    if golden.is_tampered() {
+        let what = "the golden's picture is not the one that its note was written for: another \
+                    program has changed the file";
+        findings.push(what.to_owned());
+        verdicts.push(Verdict::TamperedGolden);
+    }
     if let Some(provenance) = &golden.provenance {
         let now = &fixture.provenance;
         let parts = [
             ("the scene", provenance.scene == now.scene),
             ("a file that the scene names", provenance.assets == now.assets),
-            ("the way of hashing", provenance.schema == now.schema),
         ];
         let changed: Vec<_> = parts.iter().filter(|part| !part.1).map(|part| part.0).collect();
         if !changed.is_empty() {
             findings
                 .push(format!("{} changed since the golden was accepted", changed.join(" and ")));
+            verdicts.push(Verdict::StaleGolden);
+        }
+        if provenance.schema != now.schema {
+            findings.push(format!(
+                "the golden's note is of version {}, expected {}: `cargo xtask bless --repack` \
+                 renews notes of an earlier version",
+                provenance.schema, now.schema
+            ));
             verdicts.push(Verdict::StaleGolden);
         }
     }

@@ -10,6 +10,7 @@ use crate::blame::blame;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden;
+use crate::hash::content_hash;
 use crate::judge::{Found, Judgment, judge};
 use crate::picture::strip;
 use crate::relation;
@@ -42,11 +43,7 @@ pub fn run(
     };
     let mut outcomes: Vec<_> =
         selection.fixtures.par_iter().map(judge_one).collect::<Result<_, StoreError>>()?;
-    for name in &selection.orphans {
-        let outcome = orphan(name);
-        on_outcome(&outcome);
-        outcomes.push(outcome);
-    }
+    outcomes.extend(orphans(selection).into_iter().inspect(on_outcome));
     outcomes.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(outcomes)
 }
@@ -58,6 +55,8 @@ pub struct Judged {
     pub rendered: Result<(Fixture, Rendered), String>,
     /// What is in the golden's place.
     pub found: Found,
+    /// The hash of the golden's file; `None` where none can be read.
+    pub golden_hash: Option<String>,
     /// What is said.
     pub judgment: Judgment,
     /// How long reading and rendering took, in milliseconds.
@@ -74,7 +73,9 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
     let rendered = render_fixture(suite, name);
     let render_ms = milliseconds_since(started);
     let started = Instant::now();
-    let found = find_golden(&suite.golden_path(name));
+    let file = read_golden(&suite.golden_path(name));
+    let golden_hash = file.as_ref().ok().and_then(Option::as_ref).map(content_hash);
+    let found = Found::in_file(file);
     let judgment = match &rendered {
         Ok((fixture, picture)) => judge(fixture, picture, &found),
         Err(why) => Judgment {
@@ -90,7 +91,7 @@ pub fn judge_fixture(suite: &Suite, name: &str) -> Judged {
     let broken = rendered.as_ref().map(|(fixture, picture)| relation::broken(fixture, picture));
     let judgment = judgment.with_relations(broken.unwrap_or_default());
     let relate_ms = milliseconds_since(started);
-    Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms }
+    Judged { rendered, found, golden_hash, judgment, render_ms, compare_ms, relate_ms }
 }
 
 /// The fixture and its picture.
@@ -106,19 +107,24 @@ pub fn render_fixture(suite: &Suite, name: &str) -> Result<(Fixture, Rendered), 
 
 /// What is at the path of a golden.
 pub fn find_golden(path: &Path) -> Found {
-    match store::read(path, MAX_GOLDEN_BYTES) {
-        Ok(None) => Found::Nothing,
-        Ok(Some(bytes)) => match golden::from_png(&bytes) {
-            Ok(golden) => Found::Golden(golden),
-            Err(why) => Found::Unreadable(why),
-        },
-        Err(error) => Found::Unreadable(error.what),
-    }
+    Found::in_file(read_golden(path))
+}
+
+/// The bytes at the path of a golden; `None` where there is no file.
+///
+/// # Errors
+/// A file that cannot be read.
+pub(crate) fn read_golden(path: &Path) -> Result<Option<Vec<u8>>, StoreError> {
+    store::read(path, MAX_GOLDEN_BYTES)
 }
 
 fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
-    let judged = judge_fixture(suite, name);
-    let Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms } = judged;
+    outcome(suite, name, judge_fixture(suite, name))
+}
+
+/// What is said of a fixture, after a failure has left its strip.
+pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outcome, StoreError> {
+    let Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms, .. } = judged;
     let blamed = match (&rendered, found.picture()) {
         (Ok((fixture, picture)), Some(golden)) if judgment.verdict != Verdict::Match => {
             blame(fixture, golden, &picture.encoded)
@@ -127,8 +133,6 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
     };
     let picture = rendered.ok().map(|(_, picture)| picture.encoded);
     let mut outcome = Outcome {
-        name: name.to_owned(),
-        verdict: judgment.verdict,
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
         breaks_relations: !judgment.broken_relations.is_empty(),
@@ -138,7 +142,7 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
         render_ms,
         compare_ms,
         relate_ms,
-        strip: None,
+        ..Outcome::unrendered(name, judgment.verdict)
     };
     if let (Some(picture), false) = (picture, outcome.verdict == Verdict::Match) {
         let png = golden::to_png(&strip(found.picture(), &picture), None);
@@ -151,21 +155,13 @@ fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
     Ok(outcome)
 }
 
-fn orphan(name: &str) -> Outcome {
-    Outcome {
-        name: name.to_owned(),
-        verdict: Verdict::OrphanGolden,
+/// What is said of goldens without a fixture.
+pub(crate) fn orphans(selection: &Selection) -> Vec<Outcome> {
+    let orphan = |name: &String| Outcome {
         findings: vec![format!("there is no {}", Suite::fixture_label(name))],
-        breaks_expectations: false,
-        breaks_relations: false,
-        comparison: None,
-        blamed: Vec::new(),
-        size: None,
-        render_ms: 0.0,
-        compare_ms: 0.0,
-        relate_ms: 0.0,
-        strip: None,
-    }
+        ..Outcome::unrendered(name, Verdict::OrphanGolden)
+    };
+    selection.orphans.iter().map(orphan).collect()
 }
 
 fn milliseconds_since(started: Instant) -> f64 {

@@ -7,6 +7,7 @@
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::OnceLock;
 
 use scene::{Assets, MAX_ASSET_BYTES};
 use tempfile::NamedTempFile;
@@ -62,9 +63,41 @@ pub fn read(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>, StoreError> 
 /// # Errors
 /// A program that cannot be read.
 pub fn program_hash() -> Result<String, StoreError> {
-    let path = std::env::current_exe().map_err(|error| StoreError::io(Path::new("."), &error))?;
+    static HASH: OnceLock<String> = OnceLock::new();
+    if let Some(hash) = HASH.get() {
+        return Ok(hash.clone());
+    }
+    // The file by its name may be of a later build than what runs.
+    let path = if cfg!(target_os = "linux") {
+        Ok(PathBuf::from("/proc/self/exe"))
+    } else {
+        std::env::current_exe()
+    };
+    let path = path.map_err(|error| StoreError::io(Path::new("."), &error))?;
     let bytes = fs::read(&path).map_err(|error| StoreError::io(&path, &error))?;
-    Ok(blake3::hash(&bytes).to_hex().to_string())
+    Ok(HASH.get_or_init(|| blake3::hash(&bytes).to_hex().to_string()).clone())
+}
+
+/// How the names of half-written files begin and end. They are hidden and have
+/// no ending of a fixture or golden, so that none is taken for one.
+const TEMPORARY: (&str, &str) = (".goldray-", ".tmp");
+
+/// Removes the half-written files below a folder that killed programs have left
+/// behind. Those that a program is writing are locked by it, and stay.
+pub fn sweep(folder: &Path) {
+    for entry in WalkDir::new(folder).into_iter().filter_map(Result::ok) {
+        let name = entry.file_name().as_encoded_bytes();
+        let is_temporary = entry.file_type().is_file()
+            && name.starts_with(TEMPORARY.0.as_bytes())
+            && name.ends_with(TEMPORARY.1.as_bytes());
+        if is_temporary {
+            let abandoned = fs::File::options().write(true).open(entry.path());
+            if abandoned.is_ok_and(|file| file.try_lock().is_ok()) {
+                // Should it stay, it is as harmless as before.
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+    }
 }
 
 /// Writes the file whole or not at all, with the folders it needs.
@@ -88,11 +121,14 @@ fn write_then(
         let folder = path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
         let mut temporary = tempfile::Builder::new();
-        temporary.prefix(".goldray-").suffix(".tmp");
+        temporary.prefix(TEMPORARY.0).suffix(TEMPORARY.1);
         // Temporary files are private by default; a golden is for everyone.
         #[cfg(unix)]
         temporary.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
         let mut file = temporary.tempfile_in(folder)?;
+        // Held until the file has its place, so that `sweep` leaves it alone.
+        // Where there are no locks, `sweep` removes nothing.
+        let _ = file.as_file().try_lock();
         file.write_all(bytes)?;
         file.as_file().sync_all()?;
         persist(file)
@@ -175,6 +211,14 @@ pub fn is_inside(path: &Path, folder: &Path) -> bool {
     let parent = plain.parent().unwrap_or(&plain);
     let really = parent.ancestors().find_map(|there| there.canonicalize().ok());
     really.zip(folder.canonicalize().ok()).is_some_and(|(path, folder)| path.starts_with(folder))
+}
+
+/// The path without links or relative parts.
+///
+/// # Errors
+/// A path where nothing is.
+pub fn real_path(path: &Path) -> Result<PathBuf, StoreError> {
+    path.canonicalize().map_err(|error| StoreError::io(path, &error))
 }
 
 /// Whether this is a file.
@@ -319,6 +363,27 @@ mod tests {
         assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"1"[..]));
         write(&path, b"4").unwrap();
         assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"4"[..]));
+    }
+
+    #[test]
+    fn only_what_nobody_is_writing_is_swept_away() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let left = path("deep/.goldray-dead.tmp");
+        for name in ["deep/.goldray-dead.tmp", "deep/a.png", ".goldray-a.png", "a.tmp"] {
+            write(&path(name), b"1").unwrap();
+        }
+        write_then(&path("deep/b.png"), b"2", |file| {
+            sweep(folder.path());
+            assert!(is_file(file.path()), "it is being written");
+            assert!(!is_file(&left));
+            file.persist(path("deep/b.png")).map(drop).map_err(|error| error.error)
+        })
+        .unwrap();
+        for name in ["deep/a.png", "deep/b.png", ".goldray-a.png", "a.tmp"] {
+            assert!(is_file(&path(name)), "{name}");
+        }
+        sweep(&path("nowhere"));
     }
 
     #[test]

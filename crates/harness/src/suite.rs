@@ -67,9 +67,14 @@ impl Suite {
         format!("fixtures/{name}.ron")
     }
 
+    /// The folder of the goldens.
+    pub fn golden_folder(&self) -> PathBuf {
+        self.root.join("golden")
+    }
+
     /// The file of a golden.
     pub fn golden_path(&self, name: &str) -> PathBuf {
-        self.root.join("golden").join(format!("{name}.png"))
+        self.golden_folder().join(format!("{name}.png"))
     }
 
     /// The sheet of all goldens, relative to the suite.
@@ -77,6 +82,14 @@ impl Suite {
 
     /// The folder for what a run leaves behind, relative to the suite.
     pub const ARTIFACTS: &str = "target/goldray";
+
+    /// The record of matches, relative to the suite.
+    pub const RECORD: &str = "target/goldray-cache/matches.json";
+
+    /// The record of matches.
+    pub fn record_path(&self) -> PathBuf {
+        self.root.join(Self::RECORD)
+    }
 
     /// The folder for what a run leaves behind.
     pub fn artifacts(&self) -> PathBuf {

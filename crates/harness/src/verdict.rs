@@ -21,9 +21,14 @@ pub enum Verdict {
     OrphanGolden,
     /// Picture and golden have different sizes.
     WrongSize,
+    /// The golden's picture is not the one that was accepted.
+    TamperedGolden,
     /// The golden was accepted for another scene than the fixture is now, or
     /// does not say for which.
     StaleGolden,
+    /// The golden's file is too large, or small where its fixture says that it
+    /// is large.
+    GoldenFileSize,
     /// The golden cannot be read.
     Unreadable,
     /// There is no picture: the fixture has problems, or its picture a NaN.
@@ -32,7 +37,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, the good one first.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Match,
         Self::Differs,
         Self::ExpectationFailed,
@@ -40,7 +45,9 @@ impl Verdict {
         Self::MissingGolden,
         Self::OrphanGolden,
         Self::WrongSize,
+        Self::TamperedGolden,
         Self::StaleGolden,
+        Self::GoldenFileSize,
         Self::Unreadable,
         Self::RenderRefused,
     ];
@@ -55,7 +62,9 @@ impl Verdict {
             Self::MissingGolden => "missing_golden",
             Self::OrphanGolden => "orphan_golden",
             Self::WrongSize => "wrong_size",
+            Self::TamperedGolden => "tampered_golden",
             Self::StaleGolden => "stale_golden",
+            Self::GoldenFileSize => "golden_file_size",
             Self::Unreadable => "unreadable",
             Self::RenderRefused => "render_refused",
         }
@@ -73,10 +82,27 @@ impl Verdict {
             Self::Differs
                 | Self::MissingGolden
                 | Self::WrongSize
+                | Self::TamperedGolden
                 | Self::StaleGolden
                 | Self::Unreadable
         )
     }
+}
+
+/// Where a verdict is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Origin {
+    /// The fixture was rendered.
+    #[default]
+    Rendered,
+    /// Nothing that it follows from changed since it was last a match; it was
+    /// not rendered.
+    Unchanged,
+    /// Nothing changed, and it was rendered all the same.
+    Audited,
+    /// It was rendered as an audit, and is no match although it was recorded
+    /// as one.
+    Belied,
 }
 
 /// A verdict with its reasons and numbers.
@@ -107,9 +133,30 @@ pub struct Outcome {
     pub relate_ms: f64,
     /// Where a picture of the failure was put, relative to the suite.
     pub strip: Option<String>,
+    /// Where the verdict is from.
+    pub origin: Origin,
 }
 
 impl Outcome {
+    /// The verdict on what was not rendered, without reasons or numbers.
+    pub(crate) fn unrendered(name: &str, verdict: Verdict) -> Self {
+        Self {
+            name: name.to_owned(),
+            verdict,
+            findings: Vec::new(),
+            breaks_expectations: false,
+            breaks_relations: false,
+            comparison: None,
+            blamed: Vec::new(),
+            size: None,
+            render_ms: 0.0,
+            compare_ms: 0.0,
+            relate_ms: 0.0,
+            strip: None,
+            origin: Origin::Rendered,
+        }
+    }
+
     /// The verb of `cargo xtask` that settles it, if it was meant, with its
     /// arguments; `None` for a match and where no verb does.
     pub fn remedy(&self) -> Option<String> {

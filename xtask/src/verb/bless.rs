@@ -1,10 +1,14 @@
-//! `bless`: accept today's pictures as goldens.
+//! `bless`: accept today's pictures as goldens, at once or by a plan that is
+//! reviewed in between.
 
-use harness::bless::{Blessed, bless};
+use std::path::{Path, PathBuf};
+
+use harness::bless::{Blessed, Moved, Plan, PlanError, commit, propose, propose_again};
 use harness::digest;
+use harness::repack::{Repacked, repack};
 use harness::report::numbers;
 use harness::store;
-use harness::suite::Suite;
+use harness::suite::{Selection, Suite};
 
 use xtask::progress::Progress;
 use xtask::{Answer, CannotAsk, Here};
@@ -14,14 +18,27 @@ use xtask::{Answer, CannotAsk, Here};
 #[command(arg_required_else_help = true)]
 pub(crate) struct Args {
     /// Which fixtures
-    #[arg(value_name = "FILTER", required_unless_present = "all", conflicts_with = "all")]
+    #[arg(
+        value_name = "FILTER",
+        required_unless_present_any = ["all", "apply"],
+        conflicts_with_all = ["all", "apply"]
+    )]
     filters: Vec<String>,
     /// Every fixture that is not a match
-    #[arg(long)]
+    #[arg(long, conflicts_with = "apply")]
     all: bool,
     /// Also remove selected goldens that have no fixture
-    #[arg(long)]
+    #[arg(long, conflicts_with = "apply")]
     prune: bool,
+    /// Change nothing, and write what would change to this file for review
+    #[arg(long, value_name = "FILE", conflicts_with = "apply")]
+    plan: Option<PathBuf>,
+    /// Do what this plan says, if nothing has moved since; else nothing at all
+    #[arg(long, value_name = "FILE")]
+    apply: Option<PathBuf>,
+    /// Accept nothing; write goldens that match again where that makes their files smaller
+    #[arg(long, conflicts_with_all = ["prune", "plan", "apply"])]
+    repack: bool,
 }
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
@@ -34,13 +51,61 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         ));
     }
     let suite = here.suite()?;
+    if let Some(file) = &args.apply {
+        return apply(here, &suite, file);
+    }
     let selection = suite.select(&args.filters)?;
+    if args.repack {
+        return Ok(write_again(&suite, &selection));
+    }
+    if let Some(file) = &args.plan {
+        here.may_write(file)?;
+    }
     let progress = Progress::start("blessing", selection.fixtures.len() + selection.orphans.len());
-    let all = bless(&suite, &selection, args.prune, &|name, _| {
-        progress.advance(name);
-    });
+    let proposals = propose(&suite, &selection, args.prune, &|name| progress.advance(name));
     progress.finish();
+    if let Some(file) = &args.plan {
+        return write_plan(here, file, &Plan::of(&proposals));
+    }
+    Ok(say(here, &suite, commit(&suite, proposals)))
+}
 
+fn write_plan(here: &Here, file: &Path, plan: &Plan) -> Result<Answer, CannotAsk> {
+    here.write(file, (serde_json::to_string_pretty(plan)? + "\n").as_bytes())?;
+    let (changed, refused) = (plan.goldens.len(), plan.refused.len());
+    for refusal in &plan.refused {
+        println!("refused   {}: {}", refusal.name, refusal.reasons.join("; ").trim_end());
+    }
+    println!("{changed} to be written or removed, {refused} refused: see {}", file.display());
+    Ok(if refused == 0 { Answer::Yes } else { Answer::No })
+}
+
+fn apply(here: &Here, suite: &Suite, file: &Path) -> Result<Answer, CannotAsk> {
+    let bytes = store::read(file, Plan::MAX_BYTES)?
+        .ok_or_else(|| CannotAsk::file(file, "there is no such file"))?;
+    let in_file = |error: PlanError| CannotAsk::file(file, &error.to_string());
+    let plan = Plan::parse(&bytes).map_err(in_file)?;
+    let progress = Progress::start("blessing", plan.goldens.len());
+    let proposals = propose_again(suite, &plan, &|name| progress.advance(name));
+    progress.finish();
+    match proposals {
+        Ok(proposals) => Ok(say(here, suite, commit(suite, proposals))),
+        Err(PlanError::Moved(moved)) => Ok(say(here, suite, Err(moved))),
+        Err(error) => Err(in_file(error)),
+    }
+}
+
+fn say(here: &Here, suite: &Suite, all: Result<Vec<(String, Blessed)>, Vec<Moved>>) -> Answer {
+    let all = match all {
+        Ok(all) => all,
+        Err(moved) => {
+            for moved in &moved {
+                println!("moved     {moved}");
+            }
+            println!("nothing is written: what was looked at is not what there is");
+            return Answer::No;
+        }
+    };
     let (mut written, mut untouched, mut refused) = (0, 0, 0);
     for (name, blessed) in &all {
         match blessed {
@@ -70,14 +135,49 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
             }
         }
     }
-    if written > 0 && store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
-        let flag = here.reader(&suite).root_flag;
-        println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);
-    }
-    if written > 0 && store::is_file(&suite.root().join(digest::TABLE)) {
-        let flag = here.reader(&suite).root_flag;
-        println!("then rewrite {}: cargo xtask{flag} digest --write", digest::TABLE);
+    if written > 0 {
+        say_what_follows(here, suite);
     }
     println!("{written} written, {untouched} left as they were, {refused} refused");
-    Ok(if refused == 0 { Answer::Yes } else { Answer::No })
+    if refused == 0 { Answer::Yes } else { Answer::No }
+}
+
+/// What is drawn of goldens, and so is out of date.
+fn say_what_follows(here: &Here, suite: &Suite) {
+    let flag = here.reader(suite).root_flag;
+    if store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
+        println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);
+    }
+    if store::is_file(&suite.root().join(digest::TABLE)) {
+        println!("then rewrite {}: cargo xtask{flag} digest --write", digest::TABLE);
+    }
+}
+
+fn write_again(suite: &Suite, selection: &Selection) -> Answer {
+    let progress = Progress::start("repacking", selection.fixtures.len());
+    let all = repack(suite, &selection.fixtures, &|name| progress.advance(name));
+    progress.finish();
+    let (mut total_before, mut total_after, mut written, mut refused) = (0, 0, 0, 0);
+    for (name, repacked) in &all {
+        match repacked {
+            Repacked::Untouched { bytes } => {
+                total_before += bytes;
+                total_after += bytes;
+            }
+            Repacked::Written { before, after } => {
+                written += 1;
+                total_before += before;
+                total_after += after;
+                println!("repacked  {name}: {before} to {after} bytes");
+            }
+            Repacked::Refused(why) => {
+                refused += 1;
+                println!("refused   {name}: {}", why.trim_end());
+            }
+        }
+    }
+    println!(
+        "{written} written, {refused} refused: {total_before} bytes before, {total_after} after"
+    );
+    if refused == 0 { Answer::Yes } else { Answer::No }
 }

@@ -80,7 +80,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if let Some(expected) = &smallest.expected {
         let label = Suite::fixture_label(&out);
         let small = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
-        let png = golden::to_png(expected, Some(&small.provenance)).map_err(CannotAsk)?;
+        let png = golden::smallest_png(expected, &small.provenance).map_err(CannotAsk)?;
         store::write(&suite.golden_path(&out), &png)?;
     }
     let (width, height) = smallest.file.image;

@@ -5,19 +5,23 @@ use serde_json::{Map, Value, json};
 use super::text::summarize;
 use crate::blame::Blamed;
 use crate::metric::{Comparison, DIFFERENCE_STEPS, METRICS};
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{Origin, Outcome, Verdict};
 
 /// The version of both documents below.
 const SCHEMA: u32 = 1;
 
 /// A run: `{"schema":1,"summary":{...},"fixtures":[...]}`.
 ///
-/// `summary` has `total`, `green`, `elapsed_ms` and a count for each verdict,
-/// zeros included. A fixture has `name`, `verdict`, `findings`, `width`,
-/// `height`, `render_ms`, `compare_ms`, `relate_ms`, `strip`,
-/// `breaks_expectations`, `breaks_relations`, `command`, `blamed` and every metric of [`comparison_json`]; what there is not
-/// is null. `blamed` has, the most blamed first, `object` (its number), `kind`,
-/// `line` and `column`, all null for the background, with `pixels` and `share`.
+/// `summary` has `total`, `green`, `elapsed_ms`, a count for each verdict, zeros
+/// included, and `unchanged` (since their last match), `audited` (of those,
+/// rendered all the same), `belied` (of those, no match). A fixture has `name`,
+/// `verdict`, `findings`, `width`, `height`, `render_ms`, `compare_ms`,
+/// `relate_ms`, `strip`, `breaks_expectations`, `breaks_relations`, `blamed`,
+/// `command`, `cached` (not rendered, as nothing changed since its last match:
+/// it has no numbers), `audited` and every metric of [`comparison_json`]; what
+/// there is not is null. `blamed` has, the most blamed first, `object` (its
+/// number), `kind`, `line` and `column`, all null for the background, with
+/// `pixels` and `share`.
 pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
     let summary = summarize(outcomes);
     let mut counts = Map::new();
@@ -28,6 +32,9 @@ pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
         let count = summary.counts.get(&verdict).copied().unwrap_or(0);
         counts.insert(verdict.id().into(), json!(count));
     }
+    counts.insert("unchanged".into(), json!(summary.unchanged));
+    counts.insert("audited".into(), json!(summary.audited));
+    counts.insert("belied".into(), json!(summary.belied));
     let fixtures: Vec<_> = outcomes.iter().map(fixture_json).collect();
     json!({ "schema": SCHEMA, "summary": counts, "fixtures": fixtures })
 }
@@ -46,10 +53,17 @@ fn fixture_json(outcome: &Outcome) -> Value {
     put("strip", json!(outcome.strip));
     put("breaks_expectations", json!(outcome.breaks_expectations));
     put("breaks_relations", json!(outcome.breaks_relations));
-    put("blamed", outcome.blamed.iter().map(blamed_json).collect());
+    put("blamed", blamed(&outcome.blamed));
     put("command", json!(outcome.remedy().map(|remedy| format!("cargo xtask {remedy}"))));
+    put("cached", json!(outcome.origin == Origin::Unchanged));
+    put("audited", json!(matches!(outcome.origin, Origin::Audited | Origin::Belied)));
     fixture.extend(metrics(outcome.comparison.as_ref()));
     Value::Object(fixture)
+}
+
+/// What a difference lies on, as in a run.
+pub(crate) fn blamed(all: &[Blamed]) -> Value {
+    all.iter().map(blamed_json).collect()
 }
 
 fn blamed_json(blamed: &Blamed) -> Value {
@@ -71,6 +85,11 @@ pub fn comparison_json(comparison: &Comparison) -> Value {
     let mut document = Map::from_iter([("schema".to_owned(), json!(SCHEMA))]);
     document.extend(metrics(Some(comparison)));
     Value::Object(document)
+}
+
+/// Every metric of a comparison by name, with what else it knows.
+pub(crate) fn distances(comparison: &Comparison) -> Map<String, Value> {
+    metrics(Some(comparison))
 }
 
 /// Every metric; all null without a comparison, so that the keys are the same.

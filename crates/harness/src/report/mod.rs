@@ -3,5 +3,6 @@
 mod json;
 mod text;
 
+pub(crate) use json::{blamed, distances};
 pub use json::{comparison_json, run_json};
 pub use text::{Reader, Summary, comparison_lines, numbers, outcome_line, summarize};

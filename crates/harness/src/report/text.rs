@@ -6,7 +6,7 @@ use std::fmt;
 use crate::blame::Blamed;
 use crate::metric::{Comparison, METRICS};
 use crate::suite::Suite;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{Origin, Outcome, Verdict};
 
 /// Where a report is read: what to put into paths and commands so that they
 /// work there.
@@ -24,7 +24,7 @@ pub struct Reader {
 ///
 /// ```
 /// use harness::report::{Reader, outcome_line};
-/// use harness::verdict::{Outcome, Verdict};
+/// use harness::verdict::{Origin, Outcome, Verdict};
 ///
 /// let outcome = Outcome {
 ///     name: "sphere/far".to_owned(),
@@ -39,6 +39,7 @@ pub struct Reader {
 ///     compare_ms: 0.0,
 ///     relate_ms: 0.0,
 ///     strip: Some("target/goldray/sphere/far.png".to_owned()),
+///     origin: Origin::Rendered,
 /// };
 /// assert_eq!(
 ///     outcome_line(&outcome, &Reader::default()),
@@ -124,6 +125,12 @@ pub struct Summary {
     pub total: usize,
     /// How many of each verdict there is one of.
     pub counts: BTreeMap<Verdict, usize>,
+    /// How many of them were unchanged since their last match.
+    pub unchanged: usize,
+    /// How many of the unchanged were rendered again as an audit.
+    pub audited: usize,
+    /// How many of the audited were no match, against what was recorded.
+    pub belied: usize,
 }
 
 impl Summary {
@@ -140,6 +147,11 @@ impl fmt::Display for Summary {
             let comma = if i == 0 { "" } else { "," };
             write!(f, "{comma} {count} {}", verdict.words())?;
         }
+        if self.unchanged > 0 {
+            let Self { unchanged, audited, .. } = self;
+            write!(f, " ({unchanged} unchanged since their last match, {audited} of them ")?;
+            write!(f, "rendered again as an audit)")?;
+        }
         Ok(())
     }
 }
@@ -150,5 +162,12 @@ pub fn summarize(outcomes: &[Outcome]) -> Summary {
     for outcome in outcomes {
         *counts.entry(outcome.verdict).or_default() += 1;
     }
-    Summary { total: outcomes.len(), counts }
+    let count = |of: &[Origin]| outcomes.iter().filter(|o| of.contains(&o.origin)).count();
+    Summary {
+        total: outcomes.len(),
+        counts,
+        unchanged: count(&[Origin::Unchanged, Origin::Audited, Origin::Belied]),
+        audited: count(&[Origin::Audited, Origin::Belied]),
+        belied: count(&[Origin::Belied]),
+    }
 }

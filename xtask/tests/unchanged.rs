@@ -1,0 +1,64 @@
+//! What `check` says of fixtures that it does not render again.
+#![allow(clippy::unwrap_used, clippy::disallowed_methods)]
+
+mod tree;
+
+use std::fs;
+
+use serde_json::Value;
+use tree::{SQUARE, Tree};
+
+const RECORD: &str = "target/goldray-cache/matches.json";
+
+/// What the three forms of a run say: which, of three fixtures, were rendered.
+fn summary(json: &Value) -> [u64; 3] {
+    ["unchanged", "audited", "belied"].map(|key| json["summary"][key].as_u64().unwrap())
+}
+
+#[test]
+fn unchanged_fixtures_are_judged_without_rendering_unless_asked() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE), ("c", SQUARE)]);
+    let json =
+        || -> Value { serde_json::from_slice(&fs::read(tree.path("out.json")).unwrap()).unwrap() };
+    for (args, variables) in [(["--no-cache"].as_slice(), [].as_slice()), (&[], &[("CI", "1")])] {
+        let args = [&["check", "--json", "out.json"], args].concat();
+        tree.run_with(&args, variables).expect_code(0).expect("3 judged: 3 match (0.");
+        assert!(!tree.path(RECORD).exists(), "neither read nor written");
+        assert_eq!(summary(&json()), [0; 3]);
+    }
+    tree.run(&["check"]).expect_code(0).expect("3 judged: 3 match (0.");
+    let ran = tree.run(&["check", "--json", "out.json"]).expect_code(0).expect("audited: ");
+    ran.expect("3 judged: 3 match (3 unchanged since their last match, 1 of them rendered again");
+    assert_eq!(summary(&json()), [3, 1, 0]);
+    let fixtures = json()["fixtures"].as_array().unwrap().clone();
+    assert_eq!(
+        fixtures.iter().filter(|f| f["cached"] == true && f["max_abs"].is_null()).count(),
+        2
+    );
+    assert_eq!(fixtures.iter().filter(|f| f["audited"] == true && f["max_abs"] == 0).count(), 1);
+    for (args, variables) in [(["--no-cache"].as_slice(), [].as_slice()), (&[], &[("CI", "1")])] {
+        let args = [&["check", "--json", "out.json"], args].concat();
+        tree.run_with(&args, variables).expect_code(0).expect("3 judged: 3 match (0.");
+        assert_eq!(summary(&json()), [0; 3]);
+    }
+
+    // A golden that no fixture matches, and a record that says they all do.
+    let record = fs::read_to_string(tree.path(RECORD)).unwrap();
+    let hash = record.split("\"golden\": ").nth(1).unwrap()[..34].to_owned();
+    tree.write("fixtures/a.ron", SQUARE.replace("(1, 1, 1)", "(1, 0.5, 1)").as_bytes());
+    tree.run(&["bless", "a"]).expect_code(0);
+    tree.run(&["check"]).expect_code(0).expect("(2 unchanged");
+    let golden = fs::read(tree.path("golden/a.png")).unwrap();
+    let other = fs::read_to_string(tree.path(RECORD)).unwrap();
+    let other = other.split("\"golden\": ").nth(1).unwrap()[..34].to_owned();
+    fs::remove_file(tree.path("fixtures/a.ron")).unwrap();
+    for name in ["b", "c"] {
+        tree.write(&format!("golden/{name}.png"), &golden);
+    }
+    tree.write(RECORD, record.replace(&hash, &other).as_bytes());
+    let ran = tree.run(&["check", "--json", "out.json"]).expect_code(1);
+    let ran = ran.expect("target/goldray-cache/matches.json was wrong: it is removed");
+    ran.expect("3 judged: 1 orphan golden, 2 stale golden (1 unchanged");
+    assert!(!tree.path(RECORD).exists());
+    assert_eq!(summary(&json()), [1, 1, 1]);
+}
