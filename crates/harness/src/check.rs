@@ -1,5 +1,7 @@
 //! `Check`: what a fixture's `check` says, beside its scene.
 
+use std::collections::BTreeMap;
+
 use scene::Step;
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +19,14 @@ pub struct Check {
     /// What is known of the picture on paper.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub expect: Vec<Expectation>,
+    /// Other fixtures that are meant to have the very same golden, each with
+    /// the reason.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub same_as: BTreeMap<String, String>,
+    /// Objects and lights that are meant to change nothing in the picture, such
+    /// as `"objects[1]"`, each with the reason. See `Part`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub idle: BTreeMap<String, String>,
 }
 
 impl scene::Check for Check {
@@ -29,6 +39,11 @@ impl scene::Check for Check {
         for (i, expectation) in self.expect.iter().enumerate() {
             for (field, message) in expectation.problems(image) {
                 report(vec!["expect".into(), i.into(), field.into()], message);
+            }
+        }
+        for (field, reasons) in [("same_as", &self.same_as), ("idle", &self.idle)] {
+            for (key, _) in reasons.iter().filter(|(_, reason)| reason.trim().is_empty()) {
+                report(vec![field.into(), Step::key(key)], format!("\"{key}\": expected why"));
             }
         }
     }

@@ -11,6 +11,7 @@
 //! that is `xtask`'s.
 
 pub mod bless;
+pub mod case;
 pub mod check;
 pub mod counts;
 pub mod digest;
@@ -28,6 +29,7 @@ pub mod picture_file;
 pub mod report;
 pub mod run;
 pub mod sample_mesh;
+pub mod sensitivity;
 pub mod store;
 pub mod suite;
 pub mod template;

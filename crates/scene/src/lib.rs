@@ -34,5 +34,5 @@ mod report;
 pub use assets::{Assets, MAX_ASSET_BYTES, MAX_SCENE_BYTES, NoAssets, check_path};
 pub use diagnose::{Problem, Span, Step, line_column, nearest};
 pub use format::{Encoding, SceneFile, Unchecked, VERSION};
-pub use load::{Check, Loaded, load};
+pub use load::{Check, Loaded, compile, load, span_of};
 pub use report::report;

@@ -4,7 +4,7 @@ use serde::de::DeserializeOwned;
 use tracer::Scene;
 use tracer::accel::Build;
 
-use crate::compile::{Finding, compile};
+use crate::compile::{Finding, compile as compile_all};
 use crate::diagnose::{Diagnosis, Problem, Tree, diagnose, ron_options};
 use crate::{Assets, MAX_SCENE_BYTES, SceneFile, Span, Step, Unchecked};
 
@@ -68,6 +68,30 @@ pub fn load<C: Check>(
     }
 }
 
+/// The scene of what was written, for who changes a [`SceneFile`] and wants to
+/// see what comes of it.
+///
+/// # Errors
+/// Everything that makes no sense in it, in words; there is no text and so no
+/// place.
+pub fn compile<C>(
+    file: &SceneFile<C>,
+    assets: &dyn Assets,
+    build: Build,
+) -> Result<Scene, Vec<String>> {
+    let (scene, findings) = compile_all(file, assets, build);
+    match scene {
+        Some(scene) if findings.is_empty() => Ok(scene),
+        _ => Err(findings.into_iter().map(|finding| finding.message).collect()),
+    }
+}
+
+/// The place in a text of the value at `path`; where it is not written down, of
+/// the nearest value around it that is.
+pub fn span_of(text: &str, path: &[Step]) -> Span {
+    Tree::read(text).0.locate(path)
+}
+
 /// What is wrong with a text that `ron` refuses.
 fn explain<C: Check>(text: &str, assets: &dyn Assets, build: Build) -> Vec<Problem> {
     let diagnosis: Diagnosis<SceneFile<C>> = diagnose(text);
@@ -87,7 +111,7 @@ fn judge<C: Check>(
     assets: &dyn Assets,
     build: Build,
 ) -> (Option<Scene>, Vec<Finding>) {
-    let (scene, mut findings) = compile(file, assets, build);
+    let (scene, mut findings) = compile_all(file, assets, build);
     if let Some(check) = &file.check {
         check.examine(file.image, &mut |inside, message| {
             let path = std::iter::once(Step::from("check")).chain(inside).collect();

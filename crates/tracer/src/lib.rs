@@ -74,5 +74,6 @@ pub use render::{Filter, Sampler, Samples, render, render_counted};
 pub use scene::{Scene, SceneParts};
 pub use shading::Convention;
 pub use show::Show;
+pub use simd::Instructions;
 pub use transform::Transform;
 pub use unit::UnitVec;
