@@ -24,7 +24,7 @@ pub struct Check {
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub same_as: BTreeMap<String, String>,
     /// Objects and lights that are meant to change nothing in the picture, such
-    /// as `"objects[1]"`, each with the reason. See `Part`.
+    /// as `"objects[1]"`, each with the reason. See [`Part`](crate::lint::Part).
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub idle: BTreeMap<String, String>,
 }

@@ -11,6 +11,8 @@
 //! that is `xtask`'s.
 
 pub mod bless;
+pub mod block;
+pub mod calibrate;
 pub mod case;
 pub mod check;
 pub mod counts;
@@ -22,6 +24,7 @@ pub mod fixture;
 pub mod golden;
 pub mod judge;
 pub mod limits;
+pub mod lint;
 pub mod metric;
 pub mod overrides;
 pub mod picture;

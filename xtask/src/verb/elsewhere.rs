@@ -3,7 +3,7 @@
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus};
 
 use harness::store;
 use xtask::{Answer, CannotAsk, Here};
@@ -41,6 +41,23 @@ fn run(
     first: Vec<OsString>,
     Passed { args }: &Passed,
 ) -> Result<Answer, CannotAsk> {
+    let args: Vec<_> = first.into_iter().chain(args.iter().cloned()).collect();
+    let status = cargo_run(manifest, "release", verb, &args)?;
+    Ok(match status.code().and_then(|code| u8::try_from(code).ok()) {
+        Some(0) => Answer::Yes,
+        Some(code) => Answer::Code(code),
+        None => return Err(CannotAsk::file(Path::new(verb), &format!("ended with {status}"))),
+    })
+}
+
+/// Builds the program of a manifest of the repository in a profile and runs it;
+/// `verb` is what it is asked for.
+pub(crate) fn cargo_run(
+    manifest: &str,
+    profile: &str,
+    verb: &str,
+    args: &[OsString],
+) -> Result<ExitStatus, CannotAsk> {
     let here = std::env::current_dir()?;
     let path = found(&here, manifest).ok_or_else(|| {
         let what = format!(
@@ -51,19 +68,10 @@ fn run(
     })?;
     // The cargo that runs this, if one does.
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status = Command::new(&cargo)
-        .args(["run", "--release", "--locked", "--quiet", "--manifest-path"])
-        .arg(path)
-        .arg("--")
-        .args(first)
-        .args(args)
-        .status()
-        .map_err(|error| CannotAsk::file(Path::new(&cargo), &error.to_string()))?;
-    Ok(match status.code().and_then(|code| u8::try_from(code).ok()) {
-        Some(0) => Answer::Yes,
-        Some(code) => Answer::Code(code),
-        None => return Err(CannotAsk::file(Path::new(verb), &format!("ended with {status}"))),
-    })
+    let mut command = Command::new(&cargo);
+    command.args(["run", "--profile", profile, "--locked", "--quiet", "--manifest-path"]);
+    let status = command.arg(path).arg("--").args(args).status();
+    status.map_err(|error| CannotAsk::file(Path::new(&cargo), &error.to_string()))
 }
 
 /// The nearest such file, from a folder up.

@@ -1,11 +1,14 @@
 //! Calibration: how far pictures of one scene are apart when nothing but the way
 //! of making them changes, and which limits that justifies.
 
+mod report;
 mod spread;
 mod way;
 
 use serde::{Deserialize, Serialize};
+use tracer::accel::Build;
 
+pub use report::{Report, Together};
 pub use spread::{MARGIN, Spread};
 pub use way::{THREADS, Way, Ways};
 
@@ -40,6 +43,8 @@ pub struct Calibrated {
     pub encoded: String,
     /// How far those made in other ways are from that.
     pub spread: Spread,
+    /// Whether it has limits.
+    pub has_limits: bool,
 }
 
 /// The build that runs: of the two profiles of a checkout, the one with debug
@@ -87,7 +92,8 @@ pub fn calibrate_fixture(suite: &Suite, name: &str, ways: &Ways) -> Result<Calib
     };
     let (digest, spread) = spread_of(ways, &render)?;
     let Digest { linear, encoded } = digest;
-    Ok(Calibrated { fixture: name.to_owned(), linear, encoded, spread })
+    let has_limits = Fixture::open(&label, &path, Build::List)?.check.limits.is_some();
+    Ok(Calibrated { fixture: name.to_owned(), linear, encoded, spread, has_limits })
 }
 
 /// The bits of the picture that is made in the first way, and how far the others
@@ -110,15 +116,6 @@ pub fn spread_of(
         }
     }
     Ok((digest, spread))
-}
-
-/// Fixtures whose pictures two builds make differently, by name.
-pub fn disagreeing<'a>(one: &'a Record, other: &Record) -> Vec<&'a str> {
-    let is_same = |a: &Calibrated| {
-        let same = |b: &&Calibrated| (&b.linear, &b.encoded) == (&a.linear, &a.encoded);
-        other.fixtures.iter().find(|b| b.fixture == a.fixture).filter(same).is_some()
-    };
-    one.fixtures.iter().filter(|a| !is_same(a)).map(|a| a.fixture.as_str()).collect()
 }
 
 #[cfg(test)]

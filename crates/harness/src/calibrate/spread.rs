@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::expectation::Rendered;
 use crate::limits::Limits;
-use crate::metric::compare;
+use crate::metric::{Comparison, compare};
 
 /// How many times its spread a limit may be: the next processor or compiler may
 /// be off as far again to the other side.
@@ -41,21 +41,27 @@ impl Spread {
 
     /// Takes in that one picture has other bits than another.
     pub fn widen(&mut self, reference: &Rendered, other: &Rendered) {
-        let mut found = Self { other_bits: 1, ..Self::default() };
-        // Pictures of other sizes are as far apart as can be.
-        match compare(&reference.encoded, &other.encoded) {
-            Some(c) => {
-                found.max_abs = c.max_abs;
-                found.differing_pixels = c.differing_pixels;
-                (found.ssim, found.ssim_worst) = (c.ssim_mean, c.ssim_min);
-            }
-            None => {
-                found.max_abs = u8::MAX;
-                found.differing_pixels = u64::MAX;
-                (found.ssim, found.ssim_worst) = (-1.0, -1.0);
-            }
-        }
-        self.join(&found);
+        let found = Self::of(compare(&reference.encoded, &other.encoded).as_ref());
+        self.join(&Self { other_bits: 1, ..found });
+    }
+
+    /// That of two encoded pictures. Where they cannot be compared, being of
+    /// other sizes, they are as far apart as can be.
+    pub fn of(comparison: Option<&Comparison>) -> Self {
+        let apart = Self {
+            other_bits: 0,
+            max_abs: u8::MAX,
+            differing_pixels: u64::MAX,
+            ssim: -1.0,
+            ssim_worst: -1.0,
+        };
+        comparison.map_or(apart, |c| Self {
+            max_abs: c.max_abs,
+            differing_pixels: c.differing_pixels,
+            ssim: c.ssim_mean,
+            ssim_worst: c.ssim_min,
+            ..apart
+        })
     }
 
     /// Takes in another spread.
@@ -97,7 +103,12 @@ impl Spread {
             }
         };
         let of = |get: fn(&Limits) -> Option<f64>| justified.as_ref().and_then(get);
-        hold("ssim", limits.ssim, of(|l| if l.ssim < l.ssim_worst { l.ssim } else { l.ssim_worst }), false);
+        hold(
+            "ssim",
+            limits.ssim,
+            of(|l| if l.ssim < l.ssim_worst { l.ssim } else { l.ssim_worst }),
+            false,
+        );
         hold("ssim_worst", limits.ssim_worst, of(|l| l.ssim_worst), false);
         let max_abs = |l: &Limits| l.max_abs.map(f64::from);
         hold("max_abs", max_abs(limits), of(max_abs), true);

@@ -74,22 +74,30 @@ fn limits_may_be_twice_the_spread() {
     assert_eq!(Spread::default().looser(&tight).len(), 2);
 }
 
-#[test]
-fn builds_that_disagree_are_told() {
-    let record = |linear: &str| Record {
-        schema: 1,
-        build: "dev".into(),
-        ways: 1,
-        margin: MARGIN,
-        fixtures: vec![Calibrated {
-            fixture: "a".into(),
-            linear: linear.into(),
-            encoded: "e".into(),
-            spread: Spread::default(),
-        }],
+/// What a build found of one fixture.
+fn record(linear: &str, spread: Spread) -> Record {
+    let fixture = Calibrated {
+        fixture: "a".into(),
+        linear: linear.into(),
+        encoded: "e".into(),
+        spread,
+        has_limits: false,
     };
-    assert_eq!(disagreeing(&record("l"), &record("l")), [""; 0]);
-    assert_eq!(disagreeing(&record("l"), &record("m")), ["a"]);
-    let missing = Record { fixtures: Vec::new(), ..record("l") };
-    assert_eq!(disagreeing(&record("l"), &missing), ["a"]);
+    Record { schema: 1, build: "dev".into(), ways: 1, margin: MARGIN, fixtures: vec![fixture] }
+}
+
+#[test]
+fn builds_are_held_against_each_other() {
+    let none = Spread::default();
+    let some = Spread { other_bits: 1, max_abs: 3, differing_pixels: 5, ..none };
+    let together = |builds: [Record; 2]| {
+        let report = Report::new(builds.into(), &|_| Ok(some)).unwrap();
+        (report.fixtures[0].spread, report.surprises().count())
+    };
+    assert_eq!(together([record("l", none), record("l", none)]), (none, 0));
+    assert_eq!(together([record("l", none), record("l", some)]), (some, 1));
+    assert_eq!(together([record("l", none), record("m", none)]), (some, 1), "other bits");
+    let missing = Record { fixtures: Vec::new(), ..record("l", none) };
+    let lacks = Report::new(vec![record("l", none), missing], &|_| Ok(none)).unwrap_err();
+    assert!(lacks.contains("left it out"), "{lacks}");
 }

@@ -105,8 +105,8 @@ mod tests {
         assert_eq!((weakest.fixture.as_str(), defect), ("c", 0), "the first of two");
         let names = |i: usize| {
             let OfDefect { median, worst, never, no_effect, .. } = &summary.defects[i];
-            let name = |row: &Option<&Row>| row.map_or(String::new(), |row| row.fixture.clone());
-            (name(median), name(worst), *never, *no_effect)
+            let name = |row: Option<&Row>| row.map_or(String::new(), |row| row.fixture.clone());
+            (name(*median), name(*worst), *never, *no_effect)
         };
         assert_eq!(names(0), ("b".into(), "c".into(), 2, 0));
         assert_eq!(names(1), ("d".into(), "a".into(), 0, 2));

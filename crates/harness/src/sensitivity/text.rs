@@ -147,7 +147,7 @@ fn weakest_line(summary: &Summary<'_>) -> String {
 }
 
 /// A strength with its unit, or what is said where there is none.
-pub(crate) fn strength_words(cell: &Cell) -> String {
+pub fn strength_words(cell: &Cell) -> String {
     match cell.smallest {
         Smallest::NoEffect => "no effect".to_owned(),
         Smallest::Never { .. } => "never".to_owned(),
@@ -156,7 +156,7 @@ pub(crate) fn strength_words(cell: &Cell) -> String {
 }
 
 /// A strength with its unit.
-pub(crate) fn with_unit(strength: f64, unit: &str) -> String {
+pub fn with_unit(strength: f64, unit: &str) -> String {
     let one = strength == 1.0 && unit.ends_with('s');
     let unit = if one { &unit[..unit.len() - 1] } else { unit };
     format!("{} {unit}", number(strength))
@@ -171,7 +171,7 @@ fn times_words(times: Option<f64>) -> String {
 }
 
 /// Two digits behind the first one that counts, without zeros at the end.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let digits = match value.abs() {
         100.0.. => 0,
         10.0.. => 1,

@@ -32,7 +32,7 @@ fn normal(index: u64) -> f64 {
     sum - UNIFORM as f64 / 2.0
 }
 
-/// A random number for each index: the output function of SplitMix64, whose
+/// A random number for each index: the output function of `SplitMix64`, whose
 /// constants these are.
 ///
 /// Source: G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom

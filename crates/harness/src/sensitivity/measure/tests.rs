@@ -26,9 +26,8 @@ fn measured(name: &str, limits: Option<&Limits>, golden: &EncodedImage) -> Cell 
 }
 
 #[track_caller]
-fn check(name: &str, limits: Limits, strength: f64) {
-    let limits = Limits { reason: "a test".into(), ..limits };
-    let found = measured(name, Some(&limits), &golden()).smallest;
+fn check(name: &str, limits: &Limits, strength: f64) {
+    let found = measured(name, Some(limits), &golden()).smallest;
     let Smallest::Caught { strength: found, .. } = found else { panic!("{found:?}") };
     assert_eq!(found, strength, "{name}");
 }
@@ -48,14 +47,14 @@ fn without_limits_one_code_of_one_pixel_is_caught() {
 
 #[test]
 fn a_limit_on_codes_is_found_to_the_code() {
-    check("blob-1", Limits { max_abs: Some(9), ..Limits::default() }, 10.0);
-    check("blob-4", Limits { max_abs: Some(100), ..Limits::default() }, 101.0);
+    check("blob-1", &Limits { max_abs: Some(9), ..Limits::default() }, 10.0);
+    check("blob-4", &Limits { max_abs: Some(100), ..Limits::default() }, 101.0);
 }
 
 #[test]
 fn a_limit_on_pixels_is_found_to_the_pixel() {
     let limits = |pixels: u64| Limits { differing_pixels: Some(pixels), ..Limits::default() };
-    check("blob-4", limits(15), 1.0);
+    check("blob-4", &limits(15), 1.0);
     let limits = Limits { reason: "a test".into(), ..limits(16) };
     let found = measured("blob-4", Some(&limits), &golden());
     assert!(matches!(found.smallest, Smallest::Never { .. }), "{found:?}");
