@@ -1,86 +1,13 @@
 //! The real binary in a temporary tree: exit codes and text.
 #![allow(clippy::unwrap_used, clippy::disallowed_methods)]
 
+mod tree;
+
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
-/// A white square in the middle of black, which renders in no time.
-const SQUARE: &str = r"// A square.
-(
-    version: 1,
-    image: (16, 12),
-    camera: Parallel(view_point: (0, 0, 5), view_width: 4, view_height: 3),
-    show: Silhouette,
-    objects: [Box(min: (-1, -1, -1), max: (1, 1, 1))],
-)";
-
-/// A folder with some fixtures, and the binary to run there.
-struct Tree(tempfile::TempDir);
-
-impl Tree {
-    fn new(fixtures: &[(&str, &str)]) -> Self {
-        let tree = Self(tempfile::tempdir().unwrap());
-        for (name, text) in fixtures {
-            tree.write(&format!("fixtures/{name}.ron"), text.as_bytes());
-        }
-        tree
-    }
-
-    /// The same, with goldens for all.
-    fn blessed(fixtures: &[(&str, &str)]) -> Self {
-        let tree = Self::new(fixtures);
-        tree.run(&["bless", "--all"]).expect_code(0);
-        tree
-    }
-
-    fn path(&self, path: &str) -> std::path::PathBuf {
-        self.0.path().join(path)
-    }
-
-    fn write(&self, path: &str, bytes: &[u8]) {
-        let path = self.path(path);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, bytes).unwrap();
-    }
-
-    fn run(&self, args: &[&str]) -> Ran {
-        self.run_with(args, &[])
-    }
-
-    fn run_with(&self, args: &[&str], variables: &[(&str, &str)]) -> Ran {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
-        command.args(args).current_dir(self.0.path()).env_remove("CI");
-        command.envs(variables.iter().copied());
-        Ran(command.output().unwrap())
-    }
-}
-
-struct Ran(Output);
-
-impl Ran {
-    fn stdout(&self) -> String {
-        String::from_utf8(self.0.stdout.clone()).unwrap()
-    }
-
-    fn stderr(&self) -> String {
-        String::from_utf8(self.0.stderr.clone()).unwrap()
-    }
-
-    #[track_caller]
-    fn expect_code(self, code: i32) -> Self {
-        let found = self.0.status.code();
-        assert_eq!(found, Some(code), "{}\n{}", self.stdout(), self.stderr());
-        self
-    }
-
-    #[track_caller]
-    fn expect(self, text: &str) -> Self {
-        let all = format!("{}{}", self.stdout(), self.stderr());
-        assert!(all.contains(text), "expected {text:?} in:\n{all}");
-        self
-    }
-}
+use tree::{Ran, SQUARE, Tree};
 
 /// What changes from run to run, made plain.
 fn plain(json: &str) -> String {

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use harness::block;
 use harness::case::Case;
+use harness::encode::EncodedImage;
 use harness::golden;
 use harness::picture::{Heat, heat_map};
-use harness::sensitivity::{self, DEFECTS, Row, Visible};
+use harness::sensitivity::{self, Cell, DEFECTS, Row, Smallest, Visible};
 
 use xtask::progress::Progress;
 use xtask::{Answer, CannotAsk, Here};
@@ -89,14 +90,22 @@ fn check(path: &Path, text: &str) -> Result<Answer, CannotAsk> {
     Ok(Answer::No)
 }
 
-fn picture(rows: &[Row]) -> harness::encode::EncodedImage {
-    let titles: Vec<_> = DEFECTS.iter().map(|defect| defect.name).collect();
+/// What stands above the picture.
+const CAPTION: &str =
+    "The smallest damage that is caught; warm: less of it is seen than is caught.";
+
+fn picture(rows: &[Row]) -> EncodedImage {
+    let titles: Vec<_> = DEFECTS.iter().map(|defect| [defect.name, defect.unit]).collect();
     let cells = |row: &Row| {
-        let cell = |cell: &sensitivity::Cell| Heat {
-            text: sensitivity::strength_words(cell),
+        let cell = |cell: &Cell| Heat {
+            text: match cell.smallest {
+                Smallest::NoEffect => "no effect".to_owned(),
+                Smallest::Never { .. } => "never".to_owned(),
+                Smallest::Caught { strength, .. } => sensitivity::number(strength),
+            },
             heat: cell.times_visible,
         };
         (row.fixture.clone(), row.cells.iter().map(cell).collect())
     };
-    heat_map(&titles, &rows.iter().map(cells).collect::<Vec<_>>())
+    heat_map(CAPTION, &titles, &rows.iter().map(cells).collect::<Vec<_>>())
 }

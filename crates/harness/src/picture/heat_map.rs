@@ -13,6 +13,9 @@ const GAP: u32 = 1;
 const MARGIN: u32 = 8;
 const ROW: u32 = LETTER + 4;
 
+/// Rows above the table: the caption, an empty one, and two of titles.
+const HEAD: u32 = 4;
+
 /// Colors from cold to hot: the first up to [`COLDEST`], each other up to twice
 /// as much as the one before. So the middle one is that of 1, and the warm ones
 /// are above.
@@ -40,24 +43,29 @@ pub struct Heat {
     pub heat: Option<f64>,
 }
 
-/// A row for each name, a column for each title; cells that a row lacks are
-/// left out.
-pub fn heat_map(titles: &[&str], rows: &[(String, Vec<Heat>)]) -> EncodedImage {
+/// A row for each name, a column for each title and what stands below it, under
+/// a caption; cells that a row lacks are left out.
+pub fn heat_map(caption: &str, titles: &[[&str; 2]], rows: &[(String, Vec<Heat>)]) -> EncodedImage {
     let letters = |text: &str| text.chars().count() as u32;
     let names = rows.iter().map(|(name, _)| letters(name)).max().unwrap_or(0) * LETTER;
     let cells = rows.iter().flat_map(|(_, cells)| cells.iter().map(|cell| letters(&cell.text)));
-    let widest = cells.chain(titles.iter().map(|title| letters(title))).max().unwrap_or(0);
+    let widest =
+        cells.chain(titles.as_flattened().iter().map(|title| letters(title))).max().unwrap_or(0);
     let pitch = (widest + 1) * LETTER + GAP;
     let left = MARGIN + names + LETTER;
     let size = Size {
-        width: left + pitch * titles.len() as u32 + MARGIN,
-        height: MARGIN + ROW * (rows.len() as u32 + 1) + MARGIN,
+        width: (left + pitch * titles.len() as u32).max(MARGIN + letters(caption) * LETTER)
+            + MARGIN,
+        height: MARGIN + ROW * (HEAD + rows.len() as u32) + MARGIN,
     };
     let mut canvas = Canvas::new(size, PAPER);
+    canvas.write(caption, MARGIN, MARGIN, INK);
     for (i, title) in (0_u32..).zip(titles) {
-        canvas.write(title, left + i * pitch + LETTER / 2, MARGIN, INK);
+        for (row, text) in (2..).zip(title) {
+            canvas.write(text, left + i * pitch + LETTER / 2, MARGIN + row * ROW, INK);
+        }
     }
-    for (j, (name, cells)) in (1_u32..).zip(rows) {
+    for (j, (name, cells)) in (HEAD..).zip(rows) {
         let top = MARGIN + j * ROW;
         canvas.write(name, MARGIN, top + 2, INK);
         for (i, cell) in (0_u32..).zip(cells) {
@@ -100,12 +108,12 @@ mod tests {
     fn it_is_as_large_as_what_is_in_it() {
         let cell = |text: &str, heat| Heat { text: text.into(), heat };
         let rows = [("a".to_owned(), vec![cell("12", Some(9.0)), cell("", None)])];
-        let picture = heat_map(&["x", "y"], &rows);
+        let picture = heat_map("", &[["x", "m"], ["y", "s"]], &rows);
         // A letter for the name, one between, two columns of three letters.
         let width = 2 * MARGIN + 8 + 8 + 2 * (24 + GAP);
-        assert_eq!(picture.size(), Size { width, height: 2 * MARGIN + 2 * ROW });
-        let at = |column: u32| picture.get(MARGIN + 16 + column * 25, MARGIN + ROW);
+        assert_eq!(picture.size(), Size { width, height: 2 * MARGIN + (HEAD + 1) * ROW });
+        let at = |column: u32| picture.get(MARGIN + 16 + column * 25, MARGIN + HEAD * ROW);
         assert_eq!((at(0), at(1)), (Some(COLORS[8]), Some(BLANK)));
-        assert_eq!(heat_map(&[], &[]).size().width, 2 * MARGIN + LETTER);
+        assert_eq!(heat_map("abc", &[], &[]).size().width, 2 * MARGIN + 3 * LETTER);
     }
 }

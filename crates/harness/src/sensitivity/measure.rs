@@ -136,6 +136,9 @@ impl Search<'_> {
     /// and the one before.
     fn smallest(&self) -> Smallest {
         let steps = self.defect.strengths.steps();
+        if self.limits.is_none() {
+            return self.smallest_effect(&steps);
+        }
         let (mut smallest, mut below) = (Smallest::NoEffect, None);
         for strength in steps.into_iter().rev() {
             match (self.ask(strength), smallest) {
@@ -156,6 +159,24 @@ impl Search<'_> {
             (Smallest::Caught { strength, place }, Some(low)) => self.closer(low, strength, place),
             (smallest, _) => smallest,
         }
+    }
+
+    /// The same where whatever changes a byte is caught: then it is the weakest
+    /// that has an effect, which is sooner found from below.
+    fn smallest_effect(&self, steps: &[f64]) -> Smallest {
+        let mut low = None;
+        for &strength in steps {
+            match (self.ask(strength), low) {
+                (Answer::Caught(place) | Answer::Missed(place), None) => {
+                    return Smallest::Caught { strength, place };
+                }
+                (Answer::Caught(place) | Answer::Missed(place), Some(low)) => {
+                    return self.closer(low, strength, place);
+                }
+                (Answer::NoEffect, _) => low = Some(strength),
+            }
+        }
+        Smallest::NoEffect
     }
 
     /// The smallest between a strength that is not caught and one that is.

@@ -14,5 +14,5 @@ mod visible;
 pub use defect::{DEFECTS, Defect, Place, Strengths};
 pub use measure::{Cell, Row, Smallest, of_cases};
 pub use summary::{OfDefect, Summary, summarize};
-pub use text::{fixture_lines, json, markdown, number, strength_words, summary_lines, with_unit};
+pub use text::{fixture_lines, json, markdown, number, summary_lines, with_unit};
 pub use visible::{Miss, Visible, missed};

@@ -8,7 +8,10 @@ use super::{Cell, DEFECTS, Miss, OfDefect, Place, Row, Smallest, Summary, Visibl
 
 /// A line for each fixture: the defect that it lets pass the most of.
 pub fn fixture_lines(rows: &[Row]) -> String {
-    let mut text = format!("{:<36} {:<12} {:>16}  of what is seen\n", "fixture", "weakest", "from");
+    let mut text = format!(
+        "{:<36} {:<12} {:>16} {:>18}\n",
+        "fixture", "weakest", "caught from", "times what is seen"
+    );
     for row in rows {
         let Some(i) = row.weakest() else {
             let _ = writeln!(text, "{:<36} no defect has an effect", row.fixture);
@@ -17,7 +20,7 @@ pub fn fixture_lines(rows: &[Row]) -> String {
         let cell = &row.cells[i];
         let (defect, strength) = (cell.defect.name, strength_words(cell));
         let times = times_words(cell.times_visible);
-        let _ = writeln!(text, "{:<36} {defect:<12} {strength:>16}  {times}", row.fixture);
+        let _ = writeln!(text, "{:<36} {defect:<12} {strength:>16} {times:>18}", row.fixture);
     }
     text
 }
@@ -28,10 +31,14 @@ pub fn summary_lines(summary: &Summary<'_>, visible: &Visible) -> String {
     for (i, of) in summary.defects.iter().enumerate() {
         let [seen, median, worst] = numbers(i, of, visible);
         let name = of.defect.name;
-        let (in_worst, counts) = (in_worst(of), counts(of));
+        let worst = match worst_in(i, of) {
+            Some(fixture) => format!("{worst} in the worst, {fixture}"),
+            None => "and in none worse".to_owned(),
+        };
+        let counts = counts(of);
         let _ = writeln!(
             text,
-            "{name:<12} seen from {seen}, caught from {median} in the median, {worst}{in_worst}{counts}"
+            "{name:<12} seen from {seen}, caught from {median} in the median, {worst}{counts}"
         );
     }
     text + &weakest_line(summary) + "\n"
@@ -114,8 +121,10 @@ fn numbers(i: usize, of: &OfDefect<'_>, visible: &Visible) -> [String; 3] {
     [seen, words(of.median), words(of.worst)]
 }
 
-fn in_worst(of: &OfDefect<'_>) -> String {
-    of.worst.map_or(String::new(), |row| format!(" in the worst, {}", row.fixture))
+/// The fixture of the worst, where it is worse than the one in the middle.
+fn worst_in<'a>(i: usize, of: &OfDefect<'a>) -> Option<&'a str> {
+    let times = |row: Option<&Row>| row.and_then(|row| row.cells[i].times_visible);
+    (times(of.worst) != times(of.median)).then(|| of.worst.map(|row| row.fixture.as_str()))?
 }
 
 fn counts(of: &OfDefect<'_>) -> String {
@@ -137,17 +146,20 @@ fn weakest_line(summary: &Summary<'_>) -> String {
         Smallest::Caught { place, .. } | Smallest::Never { place } => place,
         Smallest::NoEffect => Place::Whole,
     };
+    let (name, defect) = (&row.fixture, cell.defect.name);
     let caught = match cell.smallest {
         Smallest::Never { .. } => "is never caught".to_owned(),
-        _ => format!("is caught from {}", strength_words(cell)),
+        _ => format!(
+            "is caught from {} on, {} times what is seen",
+            strength_words(cell),
+            times_words(cell.times_visible)
+        ),
     };
-    let (name, defect) = (&row.fixture, cell.defect.name);
-    let times = times_words(cell.times_visible);
-    format!("The weakest fixture is {name}: {defect} {place} {caught}, {times} of what is seen.")
+    format!("The weakest fixture is {name}: {defect} {place} {caught}.")
 }
 
 /// A strength with its unit, or what is said where there is none.
-pub fn strength_words(cell: &Cell) -> String {
+fn strength_words(cell: &Cell) -> String {
     match cell.smallest {
         Smallest::NoEffect => "no effect".to_owned(),
         Smallest::Never { .. } => "never".to_owned(),
@@ -165,8 +177,8 @@ pub fn with_unit(strength: f64, unit: &str) -> String {
 fn times_words(times: Option<f64>) -> String {
     match times {
         None => "-".to_owned(),
-        Some(f64::INFINITY) => "any number of times".to_owned(),
-        Some(times) => format!("{} times", number(times)),
+        Some(f64::INFINITY) => "any".to_owned(),
+        Some(times) => number(times),
     }
 }
 

@@ -1,6 +1,8 @@
 //! `blob-1`, `blob-2`, `blob-4`: a square of some pixels, lighter or darker than
 //! it should be.
 
+use std::ops::Range;
+
 use tracer::Size;
 
 use super::{Defect, Place, Strengths};
@@ -24,7 +26,7 @@ const GRID: u32 = 8;
 
 /// How far around a pixel the codes are looked at to find where they vary most:
 /// as far as a window of SSIM reaches, which is most patient there.
-const REACH: i64 = 5;
+const REACH: u32 = 5;
 
 const fn blob<const SIDE: u32>(name: &'static str, does: &'static str) -> Defect {
     Defect {
@@ -76,9 +78,20 @@ fn places<const SIDE: u32>(picture: &EncodedImage) -> Vec<Place> {
 /// The pixel around which the codes vary most, the first of several row by row.
 fn busiest(picture: &EncodedImage) -> (u32, u32) {
     let Size { width, height } = picture.size();
+    let value = |x, y| -> i64 {
+        let pixel = picture.get(x, y).unwrap_or_default();
+        pixel.iter().map(|&c| i64::from(c)).sum()
+    };
+    let sums = Sums::new(picture.size(), value);
+    let squares = Sums::new(picture.size(), |x, y| value(x, y).pow(2));
+    let around = |at: u32, count: u32| at.saturating_sub(REACH)..(at + REACH + 1).min(count);
     let mut most = (-1, (0, 0));
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let variance = variance_around(picture, i64::from(x), i64::from(y));
+        let (columns, rows) = (around(x, width), around(y, height));
+        let count = i64::from(columns.end - columns.start) * i64::from(rows.end - rows.start);
+        let sum = sums.of(&columns, &rows);
+        // The variance, times the squared count of pixels.
+        let variance = count * squares.of(&columns, &rows) - sum * sum;
         if variance > most.0 {
             most = (variance, (x, y));
         }
@@ -86,23 +99,32 @@ fn busiest(picture: &EncodedImage) -> (u32, u32) {
     most.1
 }
 
-/// The variance of the sums of channels around a pixel, times the squared count
-/// of those pixels.
-fn variance_around(picture: &EncodedImage, x: i64, y: i64) -> i64 {
-    let Size { width, height } = picture.size();
-    let columns = (x - REACH).max(0)..(x + REACH + 1).min(width.into());
-    let rows = (y - REACH).max(0)..(y + REACH + 1).min(height.into());
-    let (mut count, mut sum, mut squares) = (0, 0, 0);
-    for y in rows {
-        for x in columns.clone() {
-            let pixel = picture.get(x as u32, y as u32).unwrap_or_default();
-            let value: i64 = pixel.iter().map(|&c| i64::from(c)).sum();
-            count += 1;
-            sum += value;
-            squares += value * value;
+/// For each pixel the sum of all values above and to the left of it.
+struct Sums {
+    pitch: usize,
+    sums: Vec<i64>,
+}
+
+impl Sums {
+    fn new(Size { width, height }: Size, value: impl Fn(u32, u32) -> i64) -> Self {
+        let pitch = width as usize + 1;
+        let mut sums = vec![0; pitch * (height as usize + 1)];
+        for y in 0..height as usize {
+            let mut row = 0;
+            for x in 0..width as usize {
+                row += value(x as u32, y as u32);
+                sums[(y + 1) * pitch + x + 1] = sums[y * pitch + x + 1] + row;
+            }
         }
+        Self { pitch, sums }
     }
-    count * squares - sum * sum
+
+    /// The sum over a rectangle.
+    fn of(&self, columns: &Range<u32>, rows: &Range<u32>) -> i64 {
+        let at = |x: u32, y: u32| self.sums[y as usize * self.pitch + x as usize];
+        at(columns.end, rows.end) - at(columns.start, rows.end) - at(columns.end, rows.start)
+            + at(columns.start, rows.start)
+    }
 }
 
 #[cfg(test)]

@@ -87,6 +87,20 @@ fn clamped(picture: &EncodedImage, x: i64, y: i64) -> [u8; 3] {
     picture.get(inside(x, size.width), inside(y, size.height)).unwrap_or_default()
 }
 
+/// What is so many pixels back, mixed of the two neighbors where that is between
+/// them.
+fn between(by: f64, back: impl Fn(i64) -> [u8; 3]) -> [u8; 3] {
+    let whole = by.floor();
+    let part = by - whole;
+    let near = back(whole as i64);
+    if part == 0.0 {
+        return near;
+    }
+    let far = back(whole as i64 + 1);
+    let mixed = |c: usize| f64::from(near[c]) + part * (f64::from(far[c]) - f64::from(near[c]));
+    [0, 1, 2].map(|c| code(mixed(c)))
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,14 +1,15 @@
 //! `row`: one row moved to the right.
 
-use super::{Defect, Place, Strengths, clamped};
+use super::{Defect, Place, Strengths, between, clamped};
 use crate::encode::EncodedImage;
 
 pub(super) const ROW: Defect = Defect {
     name: "row",
     does: "moves one row to the right",
     unit: "pixels",
-    // A wider step than this is a wrong picture, not a defect of one.
-    strengths: Strengths { least: 1.0, most: 32.0, whole: true },
+    // Below the weakest no edge from 0 to 255 changes a code; a wider step than
+    // the strongest is a wrong picture, not a defect of one.
+    strengths: Strengths { least: 1.0 / 512.0, most: 32.0, whole: false },
     // The eye tells breaks of a line from less than a pixel on.
     visible: 1.0,
     places,
@@ -18,12 +19,12 @@ pub(super) const ROW: Defect = Defect {
 /// The most rows that are tried: of more, as many spread evenly.
 const MOST_ROWS: usize = 32;
 
-/// What moves in from the left is the row's first pixel.
+/// Between whole pixels the two neighbors are mixed; what moves in from the left
+/// is the row's first pixel.
 fn inject(picture: &EncodedImage, place: Place, strength: f64) -> EncodedImage {
-    let by = strength as i64;
+    let by = |y: u32| if place == Place::Row(y) { strength } else { 0.0 };
     EncodedImage::from_fn(picture.size(), |x, y| {
-        let from = if place == Place::Row(y) { i64::from(x) - by } else { x.into() };
-        clamped(picture, from, y.into())
+        between(by(y), |back| clamped(picture, i64::from(x) - back, y.into()))
     })
 }
 
@@ -53,6 +54,8 @@ mod tests {
         let row = |y: u32| (0..4).map(|x| moved.get(x, y).unwrap()[0]).collect::<Vec<_>>();
         assert_eq!(row(0), [0, 10, 20, 30]);
         assert_eq!(row(1), [1, 1, 1, 11]);
+        let part = inject(&picture, Place::Row(0), 0.25);
+        assert_eq!(part.get(3, 0), Some([28; 3]), "27.5, rounded");
     }
 
     #[test]

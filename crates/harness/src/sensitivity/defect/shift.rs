@@ -1,7 +1,7 @@
 //! `shift-right`, `shift-down`: the whole picture moved by a part of a pixel or
 //! by some.
 
-use super::{Defect, Place, Strengths, clamped, code, everywhere};
+use super::{Defect, Place, Strengths, between, clamped, everywhere};
 use crate::encode::EncodedImage;
 
 pub(super) const ACROSS: Defect = Defect {
@@ -37,15 +37,11 @@ fn shifted(
     by: f64,
     back: impl Fn(i64, i64, i64) -> (i64, i64),
 ) -> EncodedImage {
-    let whole = by.floor();
-    let part = by - whole;
     EncodedImage::from_fn(picture.size(), |x, y| {
-        let from = |back_by: i64| {
-            let (x, y) = back(x.into(), y.into(), back_by);
-            clamped(picture, x, y).map(f64::from)
-        };
-        let (near, far) = (from(whole as i64), from(whole as i64 + 1));
-        [0, 1, 2].map(|c| code(near[c] + part * (far[c] - near[c])))
+        between(by, |by| {
+            let (x, y) = back(x.into(), y.into(), by);
+            clamped(picture, x, y)
+        })
     })
 }
 

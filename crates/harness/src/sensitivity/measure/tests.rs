@@ -45,6 +45,17 @@ fn without_limits_one_code_of_one_pixel_is_caught() {
     }
 }
 
+/// From below without limits, from above with the limit that means the same.
+#[test]
+fn both_ways_of_searching_find_the_same() {
+    let none = Limits { differing_pixels: Some(0), reason: "a test".into(), ..Limits::default() };
+    for Defect { name, .. } in DEFECTS {
+        let (below, above) =
+            (measured(name, None, &golden()), measured(name, Some(&none), &golden()));
+        assert_eq!(below.smallest, above.smallest, "{name}");
+    }
+}
+
 #[test]
 fn a_limit_on_codes_is_found_to_the_code() {
     check("blob-1", &Limits { max_abs: Some(9), ..Limits::default() }, 10.0);

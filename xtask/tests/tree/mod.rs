@@ -1,0 +1,82 @@
+//! A temporary suite, and the real binary to run there.
+
+use std::fs;
+use std::process::{Command, Output};
+
+/// A white square in the middle of black, which renders in no time.
+pub const SQUARE: &str = r"// A square.
+(
+    version: 1,
+    image: (16, 12),
+    camera: Parallel(view_point: (0, 0, 5), view_width: 4, view_height: 3),
+    show: Silhouette,
+    objects: [Box(min: (-1, -1, -1), max: (1, 1, 1))],
+)";
+
+/// A folder with some fixtures, and the binary to run there.
+pub struct Tree(pub tempfile::TempDir);
+
+impl Tree {
+    pub fn new(fixtures: &[(&str, &str)]) -> Self {
+        let tree = Self(tempfile::tempdir().unwrap());
+        for (name, text) in fixtures {
+            tree.write(&format!("fixtures/{name}.ron"), text.as_bytes());
+        }
+        tree
+    }
+
+    /// The same, with goldens for all.
+    pub fn blessed(fixtures: &[(&str, &str)]) -> Self {
+        let tree = Self::new(fixtures);
+        tree.run(&["bless", "--all"]).expect_code(0);
+        tree
+    }
+
+    pub fn path(&self, path: &str) -> std::path::PathBuf {
+        self.0.path().join(path)
+    }
+
+    pub fn write(&self, path: &str, bytes: &[u8]) {
+        let path = self.path(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, bytes).unwrap();
+    }
+
+    pub fn run(&self, args: &[&str]) -> Ran {
+        self.run_with(args, &[])
+    }
+
+    pub fn run_with(&self, args: &[&str], variables: &[(&str, &str)]) -> Ran {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+        command.args(args).current_dir(self.0.path()).env_remove("CI");
+        command.envs(variables.iter().copied());
+        Ran(command.output().unwrap())
+    }
+}
+
+/// What a command said.
+pub struct Ran(pub Output);
+
+impl Ran {
+    pub fn stdout(&self) -> String {
+        String::from_utf8(self.0.stdout.clone()).unwrap()
+    }
+
+    pub fn stderr(&self) -> String {
+        String::from_utf8(self.0.stderr.clone()).unwrap()
+    }
+
+    #[track_caller]
+    pub fn expect_code(self, code: i32) -> Self {
+        let found = self.0.status.code();
+        assert_eq!(found, Some(code), "{}\n{}", self.stdout(), self.stderr());
+        self
+    }
+
+    #[track_caller]
+    pub fn expect(self, text: &str) -> Self {
+        let all = format!("{}{}", self.stdout(), self.stderr());
+        assert!(all.contains(text), "expected {text:?} in:\n{all}");
+        self
+    }
+}
