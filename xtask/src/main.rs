@@ -62,6 +62,12 @@ enum Verb {
     /// Seed mistakes into the renderer, one by one, and say which the suite notices
     #[command(disable_help_flag = true)]
     Faults(verb::elsewhere::Passed),
+    /// Find the smallest damage that each fixture would notice
+    Sensitivity(verb::sensitivity::Args),
+    /// Find fixtures that would match where they should not
+    Lint(verb::lint::Args),
+    /// Measure how far pictures are apart that should be the same
+    Calibrate(verb::calibrate::Args),
     /// Hold the tracer's answers against the exact oracle
     #[command(disable_help_flag = true)]
     Stress(verb::elsewhere::Passed),
@@ -84,6 +90,9 @@ fn main() -> ExitCode {
         Verb::Bench(bench) => verb::bench::run(&here, &bench),
         Verb::Digest(args) => verb::digest::run(&here, &args),
         Verb::Faults(args) => verb::elsewhere::faults(&here, &args),
+        Verb::Sensitivity(args) => verb::sensitivity::run(&here, &args),
+        Verb::Lint(args) => verb::lint::run(&here, &args),
+        Verb::Calibrate(args) => verb::calibrate::run(&here, &args),
         Verb::Stress(args) => verb::elsewhere::stress(&here, &["stress"], &args),
     };
     exit_code(answer)

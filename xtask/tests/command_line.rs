@@ -39,6 +39,9 @@ fn help_of_every_verb() {
         "digest",
         "meshes",
         "bench",
+        "sensitivity",
+        "lint",
+        "calibrate",
     ];
     let all = verbs.map(|verb| format!("==== {verb} ====\n{}", help(verb))).join("\n");
     insta::assert_snapshot!(all);

@@ -1,5 +1,7 @@
 //! `Check`: what a fixture's `check` says, beside its scene.
 
+use std::collections::BTreeMap;
+
 use scene::{SceneFile, Step};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +29,14 @@ pub struct Check {
     /// Why the golden's file may be larger than [`Check::MAX_FILE_BYTES`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub large: Option<String>,
+    /// Other fixtures that are meant to have the very same golden, each with
+    /// the reason.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub same_as: BTreeMap<String, String>,
+    /// Objects and lights that are meant to change nothing in the picture, such
+    /// as `"objects[1]"`, each with the reason. See [`Part`](crate::lint::Part).
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub idle: BTreeMap<String, String>,
 }
 
 impl Check {
@@ -67,6 +77,11 @@ impl scene::Check for Check {
         for (i, expectation) in self.expect.iter().enumerate() {
             for (field, message) in expectation.problems(image) {
                 report(vec!["expect".into(), i.into(), field.into()], message);
+            }
+        }
+        for (field, reasons) in [("same_as", &self.same_as), ("idle", &self.idle)] {
+            for (key, _) in reasons.iter().filter(|(_, reason)| reason.trim().is_empty()) {
+                report(vec![field.into(), Step::key(key)], format!("\"{key}\": expected why"));
             }
         }
     }

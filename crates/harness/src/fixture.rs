@@ -55,14 +55,22 @@ impl Fixture {
     /// # Errors
     /// Everything that is wrong with it, as text for people.
     pub fn open(name: &str, path: &Path, build: Build) -> Result<Self, String> {
+        let text = Self::text(name, path)?;
+        Self::read(name, &text, &FolderAssets::beside(path), build)
+    }
+
+    /// What is written in the file at `path`, called `name` in messages.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is no text, as text for people.
+    pub fn text(name: &str, path: &Path) -> Result<String, String> {
         let bytes = store::read(path, MAX_SCENE_BYTES as u64)
             .map_err(|error| format!("{name}: {}\n", error.what))?
             .ok_or_else(|| format!("{name}: there is no such file\n"))?;
-        let text = String::from_utf8(bytes).map_err(|error| {
+        String::from_utf8(bytes).map_err(|error| {
             let at = error.utf8_error().valid_up_to();
             format!("{name}: expected UTF-8 text, found another byte at offset {at}\n")
-        })?;
-        Self::read(name, &text, &FolderAssets::beside(path), build)
+        })
     }
 
     /// The fixture of this text.

@@ -102,6 +102,16 @@ impl Judgment {
     }
 }
 
+/// Whether a picture in a golden's place is not within these limits: what
+/// [`judge`] says of it, without the metrics that no limit asks for.
+pub fn is_caught(limits: Option<&Limits>, golden: &EncodedImage, picture: &EncodedImage) -> bool {
+    if limits.is_none() {
+        return golden != picture;
+    }
+    let comparison = compare(golden, picture);
+    comparison.is_none_or(|comparison| !Limits::broken_by(limits, &comparison).is_empty())
+}
+
 /// The expectations that the picture breaks, in words.
 pub fn broken_expectations(fixture: &Fixture, picture: &Rendered) -> Vec<String> {
     let expectations = fixture.check.expect.iter();

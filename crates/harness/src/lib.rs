@@ -12,6 +12,9 @@
 
 pub mod blame;
 pub mod bless;
+pub mod block;
+pub mod calibrate;
+pub mod case;
 pub mod check;
 pub mod counts;
 pub mod digest;
@@ -24,6 +27,7 @@ pub mod golden;
 mod hash;
 pub mod judge;
 pub mod limits;
+pub mod lint;
 pub mod metric;
 pub mod minimize;
 pub mod overrides;
@@ -36,6 +40,7 @@ pub mod repack;
 pub mod report;
 pub mod run;
 pub mod sample_mesh;
+pub mod sensitivity;
 pub mod store;
 pub mod suite;
 pub mod template;

@@ -4,7 +4,7 @@ use serde::de::DeserializeOwned;
 use tracer::Scene;
 use tracer::accel::Build;
 
-use crate::compile::{Finding, compile};
+use crate::compile::{Finding, compile as compile_all};
 use crate::diagnose::{Diagnosis, Problem, Tree, diagnose, ron_options};
 use crate::{Assets, MAX_SCENE_BYTES, SceneFile, Span, Step, Unchecked};
 
@@ -85,10 +85,16 @@ pub fn recompile<C>(
     assets: &dyn Assets,
     build: Build,
 ) -> Result<Scene, Vec<String>> {
-    match compile(file, assets, build) {
+    match compile_all(file, assets, build) {
         (Some(scene), findings) if findings.is_empty() => Ok(scene),
         (_, findings) => Err(findings.into_iter().map(|finding| finding.message).collect()),
     }
+}
+
+/// The place in a text of the value at `path`; where it is not written down, of
+/// the nearest value around it that is.
+pub fn span_of(text: &str, path: &[Step]) -> Span {
+    Tree::read(text).0.locate(path)
 }
 
 /// What is wrong with a text that `ron` refuses.
@@ -110,7 +116,7 @@ fn judge<C: Check>(
     assets: &dyn Assets,
     build: Build,
 ) -> (Option<Scene>, Vec<Finding>) {
-    let (scene, mut findings) = compile(file, assets, build);
+    let (scene, mut findings) = compile_all(file, assets, build);
     if let Some(check) = &file.check {
         check.examine(file.image, &mut in_check(&mut findings));
     }

@@ -75,5 +75,6 @@ pub use render::{Filter, Sampler, Samples, objects_seen, render, render_counted}
 pub use scene::{Scene, SceneParts};
 pub use shading::Convention;
 pub use show::Show;
+pub use simd::Instructions;
 pub use transform::Transform;
 pub use unit::UnitVec;

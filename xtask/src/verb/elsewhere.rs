@@ -3,7 +3,7 @@
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus};
 
 use harness::store;
 use xtask::{Answer, CannotAsk, Here};
@@ -16,31 +16,43 @@ pub(crate) struct Passed {
     args: Vec<OsString>,
 }
 
-/// The crate of the benches, in the repository; a workspace of its own.
-const BENCH_MANIFEST: &str = "crates/bench/Cargo.toml";
+/// A program of the repository: its manifest, profile, and what else it is built
+/// with.
+pub(crate) struct Program {
+    manifest: &'static str,
+    profile: &'static str,
+    build: &'static [&'static str],
+}
 
-/// The command line of the exact oracle, in the repository.
-const STRESS_MANIFEST: &str = "xtask/stress/Cargo.toml";
+/// The benches, a workspace of their own.
+const BENCH: Program =
+    Program { manifest: "crates/bench/Cargo.toml", profile: "release", build: &[] };
 
-/// The command line of the renderer that can be wrong on purpose, in the
-/// repository, and how it is built.
-const FAULTS_MANIFEST: &str = "xtask/Cargo.toml";
-const FAULTS_BUILD: &[&str] = &["--features", "faults", "--bin", "xtask-faults"];
+/// The command line of the exact oracle.
+const STRESS: Program =
+    Program { manifest: "xtask/stress/Cargo.toml", profile: "release", build: &[] };
+
+/// The command line of the renderer that can be wrong on purpose.
+const FAULTS: Program =
+    Program { build: &["--features", "faults", "--bin", "xtask-faults"], ..XTASK };
+
+/// This program.
+const XTASK: Program = Program { manifest: "xtask/Cargo.toml", profile: "release", build: &[] };
 
 /// Runs a bench of `crates/bench`, whose exit code is the answer.
 pub(crate) fn bench(name: &str, passed: &Passed) -> Result<Answer, CannotAsk> {
-    run(BENCH_MANIFEST, &[], &format!("bench {name}"), [name.into()].into(), passed)
+    run(&BENCH, &format!("bench {name}"), [name.into()].into(), passed)
 }
 
 /// Runs a verb of `xtask-stress`, whose exit code is the answer.
 pub(crate) fn stress(here: &Here, verb: &[&str], passed: &Passed) -> Result<Answer, CannotAsk> {
     let args = root(here).chain(verb.iter().map(OsString::from)).collect();
-    run(STRESS_MANIFEST, &[], &verb.join(" "), args, passed)
+    run(&STRESS, &verb.join(" "), args, passed)
 }
 
 /// Runs `xtask-faults`, whose exit code is the answer.
 pub(crate) fn faults(here: &Here, passed: &Passed) -> Result<Answer, CannotAsk> {
-    run(FAULTS_MANIFEST, FAULTS_BUILD, "faults", root(here).collect(), passed)
+    run(&FAULTS, "faults", root(here).collect(), passed)
 }
 
 /// The suite's folder as a flag, if it was named.
@@ -48,38 +60,49 @@ fn root(here: &Here) -> impl Iterator<Item = OsString> {
     here.root.iter().flat_map(|root| ["--root".into(), root.into()])
 }
 
-/// Builds the program of a manifest and runs it.
+/// Builds a program and runs it.
 fn run(
-    manifest: &str,
-    build: &[&str],
+    program: &Program,
     verb: &str,
     first: Vec<OsString>,
     Passed { args }: &Passed,
 ) -> Result<Answer, CannotAsk> {
-    let here = std::env::current_dir()?;
-    let path = found(&here, manifest).ok_or_else(|| {
-        let what = format!(
-            "expected a folder inside goldray's repository, found no {manifest} from here up: go \
-             there, then cargo xtask {verb}"
-        );
-        CannotAsk::file(&here, &what)
-    })?;
-    // The cargo that runs this, if one does.
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status = Command::new(&cargo)
-        .args(["run", "--release", "--locked", "--quiet", "--manifest-path"])
-        .arg(path)
-        .args(build)
-        .arg("--")
-        .args(first)
-        .args(args)
-        .status()
-        .map_err(|error| CannotAsk::file(Path::new(&cargo), &error.to_string()))?;
+    let args: Vec<_> = first.into_iter().chain(args.iter().cloned()).collect();
+    let status = program.run(verb, &args)?;
     Ok(match status.code().and_then(|code| u8::try_from(code).ok()) {
         Some(0) => Answer::Yes,
         Some(code) => Answer::Code(code),
         None => return Err(CannotAsk::file(Path::new(verb), &format!("ended with {status}"))),
     })
+}
+
+impl Program {
+    /// This program, built with another profile.
+    pub(crate) const fn this_in(profile: &'static str) -> Self {
+        Self { profile, ..XTASK }
+    }
+
+    /// Builds it and runs it; `verb` is what it is asked for.
+    ///
+    /// # Errors
+    /// It is not there, or cargo is not.
+    pub(crate) fn run(&self, verb: &str, args: &[OsString]) -> Result<ExitStatus, CannotAsk> {
+        let (here, manifest) = (std::env::current_dir()?, self.manifest);
+        let path = found(&here, manifest).ok_or_else(|| {
+            let what = format!(
+                "expected a folder inside goldray's repository, found no {manifest} from here up: \
+                 go there, then cargo xtask {verb}"
+            );
+            CannotAsk::file(&here, &what)
+        })?;
+        // The cargo that runs this, if one does.
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let mut command = Command::new(&cargo);
+        command.args(["run", "--profile", self.profile, "--locked", "--quiet"]);
+        command.arg("--manifest-path").arg(path);
+        let status = command.args(self.build).arg("--").args(args).status();
+        status.map_err(|error| CannotAsk::file(Path::new(&cargo), &error.to_string()))
+    }
 }
 
 /// The nearest such file, from a folder up.

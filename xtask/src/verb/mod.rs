@@ -2,13 +2,16 @@
 
 pub(crate) mod bench;
 pub(crate) mod bless;
+pub(crate) mod calibrate;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod contact_sheet;
 pub(crate) mod digest;
 pub(crate) mod elsewhere;
+pub(crate) mod lint;
 pub(crate) mod list;
 pub(crate) mod meshes;
 pub(crate) mod minimize;
 pub(crate) mod new;
 pub(crate) mod render;
+pub(crate) mod sensitivity;

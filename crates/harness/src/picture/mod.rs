@@ -3,7 +3,9 @@
 
 mod canvas;
 mod contact_sheet;
+mod heat_map;
 mod strip;
 
 pub use contact_sheet::contact_sheet;
+pub use heat_map::{Heat, heat_map};
 pub use strip::strip;

@@ -4,9 +4,9 @@
 //! It promises the linear list's answers: what holds them may let a ray in that
 //! misses, never keep one out that a candidate's own formula would hit.
 
-use super::Candidate;
 use super::list::end_after;
 use super::wide::{Candidates, Gathered, Leaf, Options, Span, TimeScale, Visitor, Wide};
+use super::{Build, Candidate};
 use crate::fault::{Fault, seeded};
 use crate::meter::Meter;
 use crate::simd::{Level, Simd, Work};
@@ -27,20 +27,21 @@ pub struct Bvh {
 impl Bvh {
     /// The hierarchy over candidates with these boxes; see
     /// [`Accelerator::build`](super::Accelerator::build).
-    pub fn new(boxes: &[Aabb], rounding: f64) -> Self {
+    pub fn new(boxes: &[Aabb], rounding: f64, build: Build) -> Self {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
             (0..boxes.len() as u32).partition(|&i| boxes[i as usize].is_finite());
         let finite = Boxes(bounded.iter().map(|&i| boxes[i as usize]).collect());
         // Boxes are tested eight at a time, in less time than any one candidate:
         // each has one of its own.
-        let options = Options { leaf_size: 1, extra: 0.0 };
+        let level = build.level();
+        let options = Options { leaf_size: 1, extra: 0.0, level };
         let gathered = Gathered::new(&finite, options);
         let leaf = |_, span: Span| Leaf::new(span.first, span.count);
         let (wide, _, mut order) = Wide::new(gathered, &finite, rounding, options, leaf);
         for item in &mut order {
             *item = bounded[*item as usize];
         }
-        Self { wide, level: Level::best(), order, unbounded }
+        Self { wide, level, order, unbounded }
     }
 
     /// See [`Accelerator::closest`](super::Accelerator::closest).

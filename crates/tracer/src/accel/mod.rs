@@ -21,6 +21,7 @@ pub(crate) use list::end_after;
 pub(crate) use turns::Turns;
 
 use crate::meter::Meter;
+use crate::simd::{Instructions, Level};
 use crate::{Aabb, Interval, Ray};
 
 /// What a test returns: something with a `t` to compare.
@@ -46,6 +47,19 @@ pub enum Build {
     /// A bounding volume hierarchy whose triangles are met in `f32`: sooner, and
     /// not exact.
     Fast,
+    /// [`Build::Bvh`] with these instructions in place of the processor's best:
+    /// to show that no picture depends on them.
+    With(Instructions),
+}
+
+impl Build {
+    /// The instructions that what is built is walked with.
+    pub(crate) fn level(self) -> Level {
+        match self {
+            Self::With(instructions) => instructions.level(),
+            Self::List | Self::Bvh | Self::Fast => Level::best(),
+        }
+    }
 }
 
 /// How the rays of a batch lie to each other. A hint: it changes the time and
@@ -77,7 +91,9 @@ impl Accelerator {
     /// transform for a group.
     pub fn build(build: Build, boxes: &[Aabb], rounding: f64) -> Self {
         match build {
-            Build::Bvh | Build::Fast if boxes.len() > 1 => Self::Bvh(Bvh::new(boxes, rounding)),
+            Build::Bvh | Build::Fast | Build::With(_) if boxes.len() > 1 => {
+                Self::Bvh(Bvh::new(boxes, rounding, build))
+            }
             _ => Self::List(List::new(boxes.len())),
         }
     }

@@ -38,7 +38,8 @@ macro_rules! operators {
 mod avx2;
 mod axis;
 mod fused;
-#[cfg(any(test, not(target_arch = "x86_64")))]
+mod instructions;
+#[cfg(any(test, debug_assertions, not(target_arch = "x86_64")))]
 mod portable;
 #[cfg(target_arch = "x86_64")]
 mod sse;
@@ -48,6 +49,7 @@ use crate::math::Real;
 
 pub(crate) use axis::{Axis, Side};
 pub(crate) use fused::{Formula, fused};
+pub use instructions::Instructions;
 pub(crate) use stack::{Room, Stack};
 
 /// Bytes in a line of the cache, and how many lines are worth fetching early.
@@ -149,8 +151,9 @@ pub(crate) trait Work {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Level {
     /// Those that every processor of the target has: for targets without a level
-    /// of their own, and for tests.
-    #[cfg(any(test, not(target_arch = "x86_64")))]
+    /// of their own, for tests, and for debug builds, where `calibrate` asks for
+    /// it; elsewhere it would be compiled for nobody.
+    #[cfg(any(test, debug_assertions, not(target_arch = "x86_64")))]
     Portable,
     /// SSE2, which every x86-64 has.
     #[cfg(target_arch = "x86_64")]
@@ -173,10 +176,11 @@ impl Level {
         }
     }
 
-    /// All that this processor has.
-    #[cfg(test)]
+    /// All that this processor has and that are compiled, the best last.
     pub(crate) fn all() -> Vec<Self> {
-        let mut all = vec![Self::Portable];
+        let mut all = Vec::new();
+        #[cfg(any(test, debug_assertions, not(target_arch = "x86_64")))]
+        all.push(Self::Portable);
         #[cfg(target_arch = "x86_64")]
         {
             all.push(Self::Sse(sse::Sse::EVERYWHERE));
@@ -189,7 +193,7 @@ impl Level {
     #[inline]
     pub(crate) fn run<W: Work>(self, work: W) -> W::Output {
         match self {
-            #[cfg(any(test, not(target_arch = "x86_64")))]
+            #[cfg(any(test, debug_assertions, not(target_arch = "x86_64")))]
             Self::Portable => work.run(portable::Portable),
             #[cfg(target_arch = "x86_64")]
             Self::Sse(sse) => work.run(sse),

@@ -10,7 +10,6 @@ use crate::accel::{Build, List};
 use crate::math::max_abs;
 use crate::refused::{Refusal, point, refuse_unless};
 use crate::shape::triangle;
-use crate::simd::Level;
 use crate::{Aabb, Refused};
 
 /// How many places more than triangles there may be in the leaves, in shares of
@@ -142,7 +141,8 @@ impl Mesh {
         let Vertices { largest, are_single } = Vertices::of(&vertices);
         let corners = Corners { vertices: &vertices, faces: &faces };
         let triangles = Triangles { corners, largest };
-        let options = Options { leaf_size: LANES, extra: EXTRA };
+        let level = build.level();
+        let options = Options { leaf_size: LANES, extra: EXTRA, level };
         let gathered = Gathered::new(&triangles, options);
         let bounds = gathered.bounds;
         Refused::unless([refuse_unless(
@@ -169,7 +169,6 @@ impl Mesh {
         let places = places(&blocks, faces.len());
         let middle = bounds.center();
         let half = max_abs(bounds.max - middle).max(max_abs(middle - bounds.min));
-        let level = Level::best();
         Ok(Self { blocks, places, normals, bounds, middle, half, order, is_fast, level })
     }
 }

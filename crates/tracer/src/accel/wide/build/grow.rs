@@ -2,7 +2,6 @@
 
 use glam::Vec3;
 
-use super::Span;
 use super::bins::{BINS, BestCut, Bins, Cut, Grid, SHARED};
 use super::bounds::Bounds;
 use super::costs::{Costs, Shares};
@@ -10,6 +9,7 @@ use super::partition::{Partition, Set, halve};
 use super::reference::Reference;
 use super::space::Space;
 use super::spatial::{Knife, cut_along, first_plane};
+use super::{Options, Span};
 use crate::simd::Level;
 
 /// Below this many levels sets are halved by count.
@@ -82,13 +82,14 @@ pub(super) fn grow(
     mut references: Vec<Reference>,
     count: u32,
     set: &Set,
-    block_shift: u32,
+    options: Options,
     knife: Knife<'_>,
 ) -> Grown {
     let mut there = Reference::blanks(references.len());
     let mut items = vec![0; references.len()];
     let least_overlap = LEAST_OVERLAP * set.bounds.half_area();
-    let grower = Grower { level: Level::best(), block_shift, knife, least_overlap };
+    let block_shift = options.leaf_size.max(1).ilog2();
+    let grower = Grower { level: options.level, block_shift, knife, least_overlap };
     let space = Space {
         here: &mut references,
         there: &mut there,

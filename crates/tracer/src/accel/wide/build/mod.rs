@@ -34,6 +34,7 @@ use glam::DVec3;
 pub(crate) use self::gather::Gathered;
 use self::spatial::Knife;
 use crate::Aabb;
+use crate::simd::Level;
 
 /// Children of a node.
 pub(crate) const WIDTH: usize = 8;
@@ -128,6 +129,8 @@ pub(crate) struct Options {
     /// of that: with any, candidates that reach far go to several leaves, each
     /// of which has a part of them in its box, where that pays. 0 for none.
     pub extra: f64,
+    /// The instructions to build with.
+    pub level: Level,
 }
 
 /// What a tree is built of.
@@ -158,6 +161,6 @@ pub(crate) fn build(gathered: Gathered, candidates: &impl Candidates, options: O
         Some([a * scale, b * scale, c * scale])
     };
     let knife = Knife { units, corners: &corners };
-    let grown = grow::grow(references, count, &set, options.leaf_size.max(1).ilog2(), knife);
+    let grown = grow::grow(references, count, &set, options, knife);
     collapse::collapse(grown, units)
 }

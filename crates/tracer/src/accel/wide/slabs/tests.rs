@@ -80,7 +80,7 @@ fn around(ray: &Ray, t: f64, reach: DVec3) -> Aabb {
 /// Holds every level to seeing every box at its `t`.
 fn check(aimed: &Aimed, rounding: f64) {
     let Aimed { ray, boxes, times } = aimed;
-    let options = Options { leaf_size: 1, extra: 0.0 };
+    let options = Options { leaf_size: 1, extra: 0.0, level: Level::best() };
     let leaf = |_, span: Span| Leaf::new(span.first, span.count);
     let gathered = Gathered::new(boxes, options);
     let (wide, leaves, items) = Wide::new(gathered, boxes, rounding, options, leaf);

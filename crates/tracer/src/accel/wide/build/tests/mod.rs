@@ -12,8 +12,9 @@ use super::reference::Reference;
 use super::space::Space;
 use super::{Box32, Branch, Candidates, Child, Gathered, MAX_DEPTH, Options, Span, Tree, WIDTH};
 use crate::Aabb;
+use crate::simd::Level;
 
-const OPTIONS: Options = Options { leaf_size: 4, extra: 0.0 };
+const OPTIONS: Options = Options { leaf_size: 4, extra: 0.0, level: Level::Portable };
 
 impl Candidates for &[Aabb] {
     fn count(&self) -> u32 {
@@ -25,8 +26,9 @@ impl Candidates for &[Aabb] {
     }
 }
 
-/// The tree in the scene's own lengths.
+/// The tree in the scene's own lengths, built with the best instructions.
 fn build(candidates: &impl Candidates, options: Options) -> Tree {
+    let options = Options { level: Level::best(), ..options };
     super::build(Gathered::scaled(candidates, options, 1.0), candidates, options)
 }
 
