@@ -88,15 +88,15 @@ mod tests {
 
     #[test]
     fn a_kernel_weighs_the_middle_of_a_wider_border() {
-        let lines = [[100.0], [1.0], [2.0], [4.0], [100.0]];
         #[track_caller]
-        fn check(kernel: &Kernel, lines: &[[f64; 1]], expected: f64) {
+        fn check(kernel: &Kernel, expected: f64) {
+            let lines = [[100.0], [1.0], [2.0], [4.0], [100.0]];
             let mut sum = [7.0];
             kernel.weigh(2, |i| &lines[i], &mut sum);
             assert_eq!(sum, [expected]);
         }
-        check(&Kernel::odd(1, |x| x), &lines, 4.0 - 1.0);
-        check(&Kernel::even(1, |x| 2.0 - x), &lines, 0.25 + 0.5 * 2.0 + 0.25 * 4.0);
-        check(&Kernel::even(0, |_| 1.0), &lines, 2.0);
+        check(&Kernel::odd(1, |x| x), 4.0 - 1.0);
+        check(&Kernel::even(1, |x| 2.0 - x), 0.25 + 0.5 * 2.0 + 0.25 * 4.0);
+        check(&Kernel::even(0, |_| 1.0), 2.0);
     }
 }
