@@ -17,8 +17,7 @@ pub(crate) struct Args {
     /// List the metrics instead, each with its range and what it cannot see
     #[arg(long)]
     metrics: bool,
-    /// The page docs/metrics.md: the metrics, and how each rates a corpus of
-    /// damaged pictures
+    /// As the page docs/metrics.md, with how each rates a corpus of damaged pictures
     #[arg(long, requires = "metrics", conflicts_with = "json")]
     markdown: bool,
     /// As JSON

@@ -52,8 +52,6 @@ const Q_C: f64 = 0.7;
 /// one are spread over the errors from 0 to `P_T`.
 const P_C: f64 = 0.4;
 const P_T: f64 = 0.95;
-/// The source's `q_f`: small differences of features count more than in proportion.
-const Q_F: f64 = 0.5;
 
 pub(super) const MEAN: Metric = Metric {
     name: "flip_mean",
@@ -103,8 +101,9 @@ pub struct FlipMap {
 
 /// FLIP at [`PIXELS_PER_DEGREE`].
 ///
-/// Beyond its edges the picture goes on as its outermost pixels; no picture is
-/// too small. Swapping the pictures changes nothing.
+/// Beyond its edges the picture goes on as its outermost pixels, which count for
+/// more by that, most of all in corners; no picture is too small. Swapping the
+/// pictures changes nothing.
 pub fn flip(pair: &Pair<'_>) -> Flip {
     let (mut sum, mut count) = (0.0, 0_u64);
     let (mut max, mut at) = (0.0, 0);
@@ -147,7 +146,8 @@ fn scan(pair: &Pair<'_>, mut each: impl FnMut(f64)) {
 fn feature_error(a: &Seen, b: &Seen) -> f64 {
     let edge = (a.edge - b.edge).abs();
     let point = (a.point - b.point).abs();
-    libm::pow(edge.max(point) / SQRT_2, Q_F)
+    // The source's q_f is 1/2: small differences count more than in proportion.
+    (edge.max(point) / SQRT_2).sqrt()
 }
 
 /// How far apart two colors are on the scale of what a display can show.

@@ -30,8 +30,9 @@ see.
 fn metrics(page: &mut String) {
     page.push_str(
         "## The metrics\n\n\
-         `tight` is the tightest limit in use short of identical pictures, `loose` the loosest. The\n\
-         first value of a range is that of identical pictures.\n\n\
+         A `tight` limit lets one code, one pixel or a hundredth of a score pass; a `loose` one lets\n\
+         through what a glance at both pictures finds. The first value of a range is that of\n\
+         identical pictures.\n\n\
          | metric | measures | range | unit | better | limits that decide by it | tight | loose |\n\
          |---|---|---|---|---|---|---|---|\n",
     );

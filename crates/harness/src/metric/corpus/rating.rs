@@ -7,11 +7,11 @@ use super::super::{Comparison, Direction, Metric};
 pub enum Rating {
     /// The pictures are identical, and it says so.
     Same,
-    /// The pictures differ, and the tightest limit in use lets them pass.
+    /// The pictures differ, and a tight limit lets them pass.
     Blind,
     /// It sees the damage: neither of its neighbors.
     Small,
-    /// It sees damage that no limit in use lets pass.
+    /// It sees damage that not even a loose limit lets pass.
     Large,
     /// It has no value.
     None,
@@ -35,10 +35,10 @@ impl Rating {
 pub struct Scale {
     /// The name of the metric.
     pub metric: &'static str,
-    /// The tightest limit in use short of identical pictures: values as close
-    /// to the golden pass it, so the metric is blind to them.
+    /// A limit that lets hardly anything pass: to what passes it the metric is
+    /// blind.
     pub tight: f64,
-    /// The loosest limit in use: values farther from the golden are large.
+    /// A limit that lets much pass: what does not is large.
     pub loose: f64,
 }
 

@@ -24,9 +24,9 @@ impl Features {
         let reach = libm::ceil(3.0 * sigma) as usize;
         let gaussian = |x: f64| libm::exp(-x * x / (2.0 * sigma * sigma));
         Self {
-            edge: Kernel::new(reach, |x| -x * gaussian(x)),
-            point: Kernel::new(reach, |x| (x * x / (sigma * sigma) - 1.0) * gaussian(x)),
-            blur: Kernel::new(reach, gaussian),
+            edge: Kernel::odd(reach, |x| x * gaussian(x)),
+            point: Kernel::even(reach, |x| (x * x / (sigma * sigma) - 1.0) * gaussian(x)),
+            blur: Kernel::even(reach, gaussian),
         }
     }
 }
@@ -54,7 +54,7 @@ mod tests {
         check(&edge, |_| 1.0, 0.0);
         check(&point, |_| 1.0, 0.0);
         check(&blur, |_| 1.0, 1.0);
-        check(&edge, |x| f64::from(u8::from(x > 0.0)), -1.0);
+        check(&edge, |x| f64::from(u8::from(x > 0.0)), 1.0);
         check(&point, |x| x, 0.0);
         check(&point, |x| f64::from(u8::from(x.abs() <= 2.0)), -1.0);
     }

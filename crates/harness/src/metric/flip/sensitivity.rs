@@ -27,7 +27,7 @@ impl Sensitivity {
         // Three standard deviations of the widest Gaussian, in pixels.
         let widest = (B_CZ[0] / (2.0 * PI * PI)).sqrt();
         let reach = libm::ceil(3.0 * widest * pixels_per_degree) as usize;
-        let kernel = |b: f64| Kernel::new(reach, |pixels| bell(pixels / pixels_per_degree, b));
+        let kernel = |b: f64| Kernel::even(reach, |pixels| bell(pixels / pixels_per_degree, b));
         // What the window cuts off a Gaussian is no part of its share.
         let volume = |a: f64, b: f64| {
             let distances = (0..=2 * reach).map(|i| (i as f64 - reach as f64) / pixels_per_degree);

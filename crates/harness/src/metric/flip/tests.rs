@@ -76,10 +76,17 @@ fn one_pixel_is_found_wherever_it_is() {
 }
 
 #[test]
-fn swapping_changes_no_bit() {
+fn swapping_or_mirroring_both_changes_no_bit() {
     let (golden, actual) = (noise(25, 17, 4), noise(25, 17, 5));
-    let map = |a, b| flip_map(&Pair::new(a, b).unwrap());
+    let map = |a: &EncodedImage, b: &EncodedImage| flip_map(&Pair::new(a, b).unwrap());
     assert_eq!(map(&golden, &actual), map(&actual, &golden));
+    let mirror = |picture: &EncodedImage| {
+        let bytes: Vec<u8> = picture.pixels().iter().rev().flatten().copied().collect();
+        EncodedImage::from_bytes(picture.size(), bytes).unwrap()
+    };
+    let mut mirrored = map(&mirror(&golden), &mirror(&actual));
+    mirrored.errors.reverse();
+    assert_eq!(map(&golden, &actual), mirrored);
 }
 
 /// The blind spot that both metrics name.

@@ -2,7 +2,7 @@
 
 use tracer::Size;
 
-use super::{C1, C2, Pair, Ssim, ssim, ssim_map};
+use super::{C1, C2, Pair, Ssim, SsimMap, Window, scan, ssim, ssim_map, ssim_uniform};
 use crate::encode::EncodedImage;
 
 fn image(width: u32, height: u32, mut byte: impl FnMut(usize) -> u8) -> EncodedImage {
@@ -41,21 +41,47 @@ fn reflect(i: i64, pixels: i64) -> i64 {
     }
 }
 
+/// A window as it is defined.
+struct Definition {
+    reach: i64,
+    /// The weight of a pixel at a squared distance from the center.
+    weight: fn(f64) -> f64,
+    /// What covariances are multiplied by.
+    factor: f64,
+    computed: fn(&Pair<'_>) -> (Ssim, SsimMap),
+}
+
+const GAUSSIAN: Definition = Definition {
+    reach: 5,
+    weight: |squared| libm::exp(-squared / 4.5),
+    factor: 1.0,
+    computed: |pair| (ssim(pair), ssim_map(pair)),
+};
+
+const UNIFORM: Definition = Definition {
+    reach: 3,
+    weight: |_| 1.0,
+    factor: 49.0 / 48.0,
+    computed: |pair| (ssim_uniform(pair), scan(pair, &Window::uniform()).0),
+};
+
 /// The score of the window around pixel `(x, y)`: weighted means first, then
 /// variances about them, with nothing separated or expanded.
 fn score_by_definition(
+    definition: &Definition,
     (golden, actual): (&EncodedImage, &EncodedImage),
     (x, y): (u32, u32),
     channel: usize,
 ) -> f64 {
     let Size { width, height } = golden.size();
     let mut window = Vec::new();
-    for dy in -5..=5_i64 {
-        for dx in -5..=5_i64 {
+    let reach = definition.reach;
+    for dy in -reach..=reach {
+        for dx in -reach..=reach {
             let column = reflect(i64::from(x) + dx, width.into()) as u32;
             let row = reflect(i64::from(y) + dy, height.into()) as u32;
             let value = |image: &EncodedImage| f64::from(image.get(column, row).unwrap()[channel]);
-            let weight = libm::exp(-((dx * dx + dy * dy) as f64) / 4.5);
+            let weight = (definition.weight)((dx * dx + dy * dy) as f64);
             window.push((weight, value(golden), value(actual)));
         }
     }
@@ -64,23 +90,32 @@ fn score_by_definition(
         window.iter().map(|&(weight, a, b)| weight * f(a, b)).sum::<f64>() / total
     };
     let (mu_a, mu_b) = (mean(&|a, _| a), mean(&|_, b| b));
-    let var_a = mean(&|a, _| (a - mu_a).powi(2));
-    let var_b = mean(&|_, b| (b - mu_b).powi(2));
-    let cov = mean(&|a, b| (a - mu_a) * (b - mu_b));
+    let var_a = definition.factor * mean(&|a, _| (a - mu_a).powi(2));
+    let var_b = definition.factor * mean(&|_, b| (b - mu_b).powi(2));
+    let cov = definition.factor * mean(&|a, b| (a - mu_a) * (b - mu_b));
     (2.0 * mu_a * mu_b + C1) * (2.0 * cov + C2)
         / ((mu_a * mu_a + mu_b * mu_b + C1) * (var_a + var_b + C2))
 }
 
-/// Every number of `ssim` and `ssim_map` against the definition.
+/// Every number of both windows against their definitions.
 #[track_caller]
 fn check(golden: &EncodedImage, actual: &EncodedImage) {
+    for definition in [GAUSSIAN, UNIFORM] {
+        check_window(&definition, golden, actual);
+    }
+}
+
+#[track_caller]
+fn check_window(definition: &Definition, golden: &EncodedImage, actual: &EncodedImage) {
     let size = golden.size();
-    let inside = |i: u32, pixels: u32| pixels < 11 || (5 <= i && i + 5 < pixels);
+    let reach = definition.reach as u32;
+    let inside = |i: u32, pixels: u32| pixels < 1 + 2 * reach || (reach <= i && i + reach < pixels);
     let (mut sums, mut count) = ([0.0; 3], 0.0);
     let mut lowest = Vec::new();
     for y in 0..size.height {
         for x in 0..size.width {
-            let scores = [0, 1, 2].map(|c| score_by_definition((golden, actual), (x, y), c));
+            let scores =
+                [0, 1, 2].map(|c| score_by_definition(definition, (golden, actual), (x, y), c));
             lowest.push(scores.into_iter().fold(1.0, f64::min));
             if inside(x, size.width) && inside(y, size.height) {
                 count += 1.0;
@@ -88,8 +123,7 @@ fn check(golden: &EncodedImage, actual: &EncodedImage) {
             }
         }
     }
-    let found = ssim_of(golden, actual);
-    let map = ssim_map(&Pair::new(golden, actual).unwrap());
+    let (found, map) = (definition.computed)(&Pair::new(golden, actual).unwrap());
     assert_eq!((map.size, map.scores.len()), (size, lowest.len()));
     let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-11, "{a} {b} {size:?}");
     for (sum, mean) in sums.into_iter().zip(found.channel_means) {
