@@ -139,6 +139,14 @@ fn a_finding_names_relation_place_values_and_count() {
 }
 
 #[test]
+fn a_related_scene_that_is_refused_breaks_the_relation() {
+    let far = format!("ScaleUnits(by: 1{:0>200})", 0);
+    let fixture = fixture(SCENE, &far);
+    let why = said(&fixture, &fixture.render_linear()).unwrap_err();
+    assert!(why.contains(": the related scene is refused: `view_point`: expected "), "{why}");
+}
+
+#[test]
 fn four_quarter_turns_and_two_mirrors_are_none() {
     let file = fixture(SCENE, "Threads").file;
     for axis in [Axis::X, Axis::Y, Axis::Z] {
