@@ -89,9 +89,15 @@ impl Fixture {
         build: Build,
     ) -> Result<LinearImage, String> {
         let scene = scene::recompile(file, &self.assets, build);
-        let scene =
-            scene.map_err(|why| format!("the related scene is refused: {}", why.join("; ")))?;
-        Ok(render(&scene))
+        let refused = |why: Vec<String>| {
+            let more = match why.len() {
+                0 | 1 => String::new(),
+                n => format!("; and {} more", n - 1),
+            };
+            let first = why.first().map_or("", String::as_str);
+            format!("the related scene is refused: {first}{more}")
+        };
+        scene.map(|scene| render(&scene)).map_err(refused)
     }
 
     /// The picture before encoding.
