@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use conformance::{repository, repository_suite};
 use harness::fixture::{Build, Fixture};
 use harness::metric::corpus;
-use harness::relation::Relation;
+use harness::relation::{self, Relation};
 use harness::suite::Suite;
 use harness::{golden, judge, picture, run, sample_mesh};
 
@@ -152,6 +152,7 @@ fn the_fixtures_in_the_documents_are_good_and_keep_their_word() {
         assert!(!fixture.check.expect.is_empty(), "{document}");
         let picture = fixture.render().unwrap();
         assert_eq!(judge::broken_expectations(&fixture, &picture), [""; 0], "{document}");
+        assert_eq!(relation::broken(&fixture, &picture), [""; 0], "{document}");
     }
 }
 

@@ -140,7 +140,13 @@ impl Fixture {
     /// # Errors
     /// Why that is none.
     pub(crate) fn recompiled(&self, file: &File, build: Build) -> Result<Scene, String> {
-        scene::recompile(file, &self.assets, build).map_err(|why| why.join("; "))
+        scene::recompile(file, &self.assets, build).map_err(|why| {
+            let more = match why.len() {
+                0 | 1 => String::new(),
+                n => format!("; and {} more", n - 1),
+            };
+            format!("{}{more}", why.first().map_or("", String::as_str))
+        })
     }
 
     /// The picture before encoding.

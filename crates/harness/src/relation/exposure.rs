@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use tracer::LinearImage;
 
 use super::alike::few_roundings;
-use super::{Alike, Problem, Relate, Today, problem_if, problem_in, problem_of_error};
+use super::{Alike, Problem, Relate, Today, problem_if, problem_in, problem_of_error, shown};
 use crate::check::File;
 
 /// Every pixel is `by` times as bright when the exposure is, the background
@@ -23,7 +23,7 @@ pub struct Exposure {
 
 impl Relate for Exposure {
     fn words(&self) -> String {
-        format!("Exposure(by: {})", self.by)
+        format!("Exposure(by: {})", shown(self.by))
     }
 
     fn alike(&self) -> Alike {

@@ -194,6 +194,11 @@ pub fn broken(fixture: &Fixture, picture: &Rendered) -> Vec<String> {
     fixture.check.relations.iter().filter_map(check).collect()
 }
 
+/// A number as it would be written in a fixture.
+fn shown(x: f64) -> String {
+    format!("{x:?}").trim_end_matches(".0").to_owned()
+}
+
 /// A problem of the whole relation where `is_wrong`.
 fn problem_if(is_wrong: bool, why: &str) -> Vec<Problem> {
     if is_wrong { vec![(None, why.to_owned())] } else { Vec::new() }

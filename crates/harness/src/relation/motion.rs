@@ -34,7 +34,7 @@ impl Motion {
     /// Moves along the axes.
     pub(super) fn translation(by: Triple) -> Self {
         let [x, y, z] = by;
-        Self { by, ..Self::doing_nothing_but(Transform::Translate(x, y, z)) }
+        Self { by, ..Self::by_step(Transform::Translate(x, y, z)) }
     }
 
     /// Turns by 90 degrees about a world axis.
@@ -45,7 +45,7 @@ impl Motion {
             Axis::Y => ([2, 1, 0], [1.0, 1.0, -1.0], Transform::RotateDeg(0.0, TURN, 0.0)),
             Axis::Z => ([1, 0, 2], [-1.0, 1.0, 1.0], Transform::RotateDeg(0.0, 0.0, TURN)),
         };
-        Self { from, sign, ..Self::doing_nothing_but(step) }
+        Self { from, sign, ..Self::by_step(step) }
     }
 
     /// Turns an axis around.
@@ -53,29 +53,27 @@ impl Motion {
         let mut sign = [1.0; 3];
         sign[axis as usize] = -1.0;
         let [x, y, z] = sign;
-        Self { sign, ..Self::doing_nothing_but(Transform::Scale(x, y, z)) }
+        Self { sign, ..Self::by_step(Transform::Scale(x, y, z)) }
     }
 
     /// Makes all lengths this many times longer.
     pub(super) fn scale(scale: f64) -> Self {
-        Self { scale, ..Self::doing_nothing_but(Transform::Scale(scale, scale, scale)) }
+        Self { scale, ..Self::by_step(Transform::Scale(scale, scale, scale)) }
     }
 
-    fn doing_nothing_but(step: Transform) -> Self {
+    fn by_step(step: Transform) -> Self {
         Self { from: [0, 1, 2], sign: [1.0; 3], scale: 1.0, by: [0.0; 3], step }
     }
 
     /// Whether left becomes right.
     pub(super) fn is_mirror(&self) -> bool {
-        let [a, b, c] = self.from;
-        // Swapping two axes mirrors as well.
-        let swaps = a != 0 || b != 1 || c != 2;
+        // Two axes that change places mirror as well.
+        let swaps = self.from != [0, 1, 2];
         let sign: f64 = self.sign.iter().product();
         (sign < 0.0) != swaps
     }
 
-    /// The scene, its lights and its camera moved together, and the color that
-    /// a normal beside the background would have.
+    /// The scene with its lights and its camera moved together.
     pub(super) fn file(&self, file: &File) -> File {
         let mut moved = file.clone();
         moved.camera = self.camera(file.camera);
@@ -86,8 +84,8 @@ impl Motion {
             Show::Depth { near, far } => {
                 (*near, *far) = (self.length(*near), self.length(*far));
             }
-            // As colors of normals are the same function of all pixels then,
-            // of those that show the background in part as well.
+            // A pixel on an outline is a mean of both, so the background has to
+            // turn as normals do.
             Show::Normals => moved.background = self.color(file.background),
             _ => {}
         }

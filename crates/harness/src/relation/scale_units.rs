@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::Motion;
-use super::{Alike, Problem, Relate, Today, problem_in};
+use super::{Alike, Problem, Relate, Today, problem_in, shown};
 use crate::check::File;
 
 /// The picture stays when every length is `by` times as long, and every light
@@ -25,7 +25,7 @@ pub struct ScaleUnits {
 
 impl Relate for ScaleUnits {
     fn words(&self) -> String {
-        format!("ScaleUnits(by: {})", self.by)
+        format!("ScaleUnits(by: {})", shown(self.by))
     }
 
     fn alike(&self) -> Alike {

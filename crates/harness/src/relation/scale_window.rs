@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::window::Window;
-use super::{Alike, Problem, Relate, Today, problem_if, problem_in};
+use super::{Alike, Problem, Relate, Today, problem_if, problem_in, shown};
 use crate::check::File;
 
 /// The picture stays when the window of a perspective view is `by` times as
@@ -27,7 +27,7 @@ pub struct ScaleWindow {
 
 impl Relate for ScaleWindow {
     fn words(&self) -> String {
-        format!("ScaleWindow(by: {})", self.by)
+        format!("ScaleWindow(by: {})", shown(self.by))
     }
 
     fn alike(&self) -> Alike {

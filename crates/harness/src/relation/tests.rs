@@ -139,6 +139,16 @@ fn a_finding_names_relation_place_values_and_count() {
 }
 
 #[test]
+fn a_related_scene_that_is_refused_breaks_the_relation() {
+    let fixture = fixture(SCENE, "Translate(by: (0, 1e200, 0.5))");
+    assert_eq!(
+        said(&fixture, &fixture.render_linear()).unwrap_err(),
+        "relation Translate(by: (0, 1e200, 0.5)): the related scene is refused: `position`: \
+         expected three finite numbers of at most 1e60, found (3, 1e200, 4.5); and 16 more"
+    );
+}
+
+#[test]
 fn four_quarter_turns_and_two_mirrors_are_none() {
     let file = fixture(SCENE, "Threads").file;
     for axis in [Axis::X, Axis::Y, Axis::Z] {

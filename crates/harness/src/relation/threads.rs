@@ -27,7 +27,7 @@ impl Relate for Threads {
             let pool = pool.map_err(|why| format!("there are no {threads} threads: {why}"))?;
             let found = pool.install(|| today.fixture.render_linear());
             let same = self.alike().compare(today.picture, &found);
-            same.map_err(|why| format!("on {threads}, {why}"))?;
+            same.map_err(|why| format!("{why}, on threads: {threads}"))?;
         }
         Ok(())
     }

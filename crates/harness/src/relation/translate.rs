@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::Motion;
-use super::{Alike, Problem, Relate, Today, problem_in};
+use super::{Alike, Problem, Relate, Today, problem_in, shown};
 use crate::check::File;
 
 /// The picture stays when objects, point lights and camera are moved.
@@ -25,7 +25,7 @@ pub struct Translate {
 
 impl Relate for Translate {
     fn words(&self) -> String {
-        let [x, y, z] = self.by;
+        let [x, y, z] = self.by.map(shown);
         format!("Translate(by: ({x}, {y}, {z}))")
     }
 
