@@ -4,13 +4,14 @@
 mod tree;
 
 use std::fs;
+use std::process::Stdio;
 
 use serde_json::Value;
-use tree::{SQUARE, Tree};
+use tree::{Ran, SQUARE, Tree};
 
 const RECORD: &str = "target/goldray-cache/matches.json";
 
-/// What the three forms of a run say: which, of three fixtures, were rendered.
+/// How many were unchanged, audited and belied.
 fn summary(json: &Value) -> [u64; 3] {
     ["unchanged", "audited", "belied"].map(|key| json["summary"][key].as_u64().unwrap())
 }
@@ -61,4 +62,22 @@ fn unchanged_fixtures_are_judged_without_rendering_unless_asked() {
     ran.expect("3 judged: 1 orphan golden, 2 stale golden (1 unchanged");
     assert!(!tree.path(RECORD).exists());
     assert_eq!(summary(&json()), [1, 1, 1]);
+}
+
+#[test]
+fn checks_beside_each_other_keep_the_record_whole() {
+    let names: Vec<_> = (0..40).map(|i| format!("f{i}")).collect();
+    let fixtures: Vec<_> = names.iter().map(|name| (name.as_str(), SQUARE)).collect();
+    let tree = Tree::blessed(&fixtures);
+    for round in 0..3 {
+        // Something to render and to record in each round.
+        tree.write("fixtures/f0.ron", format!("// {round}\n{SQUARE}").as_bytes());
+        let start = || tree.command(&["check"]).stdout(Stdio::piped()).spawn().unwrap();
+        let running: Vec<_> = std::iter::repeat_with(start).take(4).collect();
+        for child in running {
+            let ran = Ran(child.wait_with_output().unwrap()).expect_code(0);
+            ran.expect("40 judged: 40 match");
+        }
+        tree.run(&["check"]).expect_code(0).expect("(40 unchanged since their last match, 2 of");
+    }
 }

@@ -4,14 +4,16 @@
 //! written, [`commit`] writes it. A [`Plan`] is what was proposed as a file for
 //! people to review; [`propose_again`] goes on from there, if nothing moved.
 
+mod again;
 mod commit;
 mod plan;
 mod propose;
 #[cfg(test)]
 mod tests;
 
+pub use again::{Moved, propose_again};
 pub use commit::{Blessed, commit};
-pub use plan::{Action, Moved, Plan, PlanError, Refusal, Step, propose_again};
+pub use plan::{Action, Plan, PlanError, Refusal, Step};
 pub use propose::{Change, Proposal, Proposals, propose};
 
 use crate::suite::{Selection, Suite};

@@ -113,12 +113,16 @@ pub fn smallest_png(picture: &EncodedImage, provenance: &Provenance) -> Result<V
     ];
     let note = Note::write(picture, provenance)?;
     let layouts = Layout::all(picture);
-    let ways = layouts.par_iter().flat_map_iter(|layout| FILTERS.map(|filter| (layout, filter)));
-    let files: Vec<_> = ways
-        .map(|(layout, filter)| layout.to_png(picture.size(), filter, Some(&note)))
-        .collect::<Result<_, String>>()?;
-    let smallest = files.into_iter().min_by_key(Vec::len);
-    smallest.ok_or_else(|| "there is no way to write the picture".to_owned())
+    let ways = layouts.iter().flat_map(|layout| FILTERS.map(|filter| (layout, filter)));
+    let ways: Vec<_> = ways.collect();
+    let files = ways.into_par_iter().enumerate().map(|(place, (layout, filter))| {
+        let png = layout.to_png(picture.size(), filter, Some(&note))?;
+        Ok((png.len(), place, png))
+    });
+    match files.try_reduce_with(|a, b| Ok(a.min(b))) {
+        Some(smallest) => smallest.map(|(_, _, png)| png),
+        None => Err("there is no way to write the picture".to_owned()),
+    }
 }
 
 /// Reads a PNG file as an 8-bit RGB picture. Gray and palette pictures are

@@ -16,9 +16,9 @@ use crate::store::{self, StoreError};
 use crate::suite::{Selection, Suite};
 use crate::verdict::{Origin, Outcome, Verdict};
 
-/// Of how many fixtures that could be skipped one is rendered all the same, and
-/// one at least. At 1 in 33, a wrong entry is as good as found after a hundred
-/// checks, for three parts in a hundred of their time.
+/// Of so many fixtures that could be skipped one is rendered all the same, and
+/// one at least: 3 % of the time, and a wrong entry outlives a hundred checks
+/// in one case of twenty.
 pub const AUDIT_ONE_IN: usize = 33;
 
 /// Judges everything selected as [`run::run`] does, without rendering again

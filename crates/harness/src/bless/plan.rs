@@ -2,17 +2,12 @@
 //! applied.
 
 use std::collections::BTreeSet;
-use std::fmt;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::{Proposal, Proposals, propose};
-use crate::hash::content_hash;
-use crate::run::read_golden;
-use crate::store;
-use crate::suite::{Selection, Suite, SuiteError};
-use crate::verdict::Verdict;
+use super::{Moved, Proposal, Proposals};
+use crate::suite::SuiteError;
 
 /// What was proposed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -72,26 +67,6 @@ pub struct Refusal {
     pub name: String,
     /// Why.
     pub reasons: Vec<String>,
-}
-
-/// What is not as it was when the plan was made.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Moved {
-    /// Whose it is.
-    pub name: String,
-    /// What moved.
-    pub what: &'static str,
-    /// What the plan says.
-    pub expected: String,
-    /// What there is.
-    pub found: String,
-}
-
-impl fmt::Display for Moved {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, what, expected, found } = self;
-        write!(f, "{name}: {what}: expected {expected}, found {found}")
-    }
 }
 
 /// Why a plan cannot be applied.
@@ -175,74 +150,4 @@ impl Plan {
         }
         Ok(plan)
     }
-
-    /// What is to be rendered, and removed.
-    fn selection(&self, suite: &Suite) -> Result<Selection, PlanError> {
-        let all = suite.select(&[])?;
-        let is_known = |name: &String| all.fixtures.contains(name) || all.orphans.contains(name);
-        let mut selection = Selection { fixtures: Vec::new(), orphans: Vec::new() };
-        for Step { name, action, .. } in &self.goldens {
-            if !is_known(name) {
-                let what = format!(
-                    "\"{name}\" is no fixture and no golden of this suite: make a plan anew"
-                );
-                return Err(PlanError::NotOne(what));
-            }
-            let names = match action {
-                Action::Add | Action::Replace => &mut selection.fixtures,
-                Action::Prune => &mut selection.orphans,
-            };
-            names.push(name.clone());
-        }
-        Ok(selection)
-    }
-}
-
-/// Proposes what a plan lists, by today's fixtures and goldens.
-///
-/// # Errors
-/// Names that are not of this suite; and whatever is not as the plan says, be
-/// it a golden, a fixture, a file that it names or the picture: all of it.
-pub fn propose_again(
-    suite: &Suite,
-    plan: &Plan,
-    on_done: &(dyn Fn(&str) + Sync),
-) -> Result<Proposals, PlanError> {
-    let proposals = propose(suite, &plan.selection(suite)?, true, on_done);
-    let moved: Vec<_> = plan
-        .goldens
-        .iter()
-        .flat_map(|step| match proposals.get(&step.name) {
-            Some(proposal) => moved_since(suite, step, proposal),
-            None => Vec::new(),
-        })
-        .collect();
-    if moved.is_empty() { Ok(proposals) } else { Err(PlanError::Moved(moved)) }
-}
-
-/// What differs between a step of a plan and what is proposed today.
-fn moved_since(suite: &Suite, step: &Step, today: &Proposal) -> Vec<Moved> {
-    let hash = |hash: &Option<String>| hash.clone().unwrap_or_else(|| "none".to_owned());
-    let mut facts = Vec::new();
-    let now = match today {
-        Proposal::Change(change) => {
-            let now = &change.step;
-            facts.push(("the scene", hash(&step.scene), hash(&now.scene)));
-            facts.push(("the files it names", hash(&step.assets), hash(&now.assets)));
-            facts.push(("the picture's file", hash(&step.after), hash(&now.after)));
-            now.verdict.clone()
-        }
-        Proposal::Refused(why) => format!("refused: {}", why.join("; ").trim_end()),
-        Proposal::Untouched | Proposal::LeftOrphan => Verdict::Match.id().to_owned(),
-    };
-    facts.push(("the verdict", step.verdict.clone(), now));
-    let golden = read_golden(&suite.golden_path(&step.name)).ok().flatten().map(content_hash);
-    facts.push(("the golden's file", hash(&step.before), hash(&golden)));
-    if step.action == Action::Prune && store::is_file(&suite.fixture_path(&step.name)) {
-        facts.push(("its fixture", "none".to_owned(), Suite::fixture_label(&step.name)));
-    }
-    let moved = facts.into_iter().filter(|(_, expected, found)| expected != found);
-    moved
-        .map(|(what, expected, found)| Moved { name: step.name.clone(), what, expected, found })
-        .collect()
 }
