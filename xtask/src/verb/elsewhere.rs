@@ -42,7 +42,7 @@ fn run(
     Passed { args }: &Passed,
 ) -> Result<Answer, CannotAsk> {
     let args: Vec<_> = first.into_iter().chain(args.iter().cloned()).collect();
-    let status = cargo_run(manifest, "release", verb, &args)?;
+    let status = status(&mut cargo_run(manifest, "release", verb, &args)?)?;
     Ok(match status.code().and_then(|code| u8::try_from(code).ok()) {
         Some(0) => Answer::Yes,
         Some(code) => Answer::Code(code),
@@ -50,14 +50,14 @@ fn run(
     })
 }
 
-/// Builds the program of a manifest of the repository in a profile and runs it;
-/// `verb` is what it is asked for.
+/// What builds the program of a manifest of the repository in a profile and runs
+/// it; `verb` is what it is asked for.
 pub(crate) fn cargo_run(
     manifest: &str,
     profile: &str,
     verb: &str,
     args: &[OsString],
-) -> Result<ExitStatus, CannotAsk> {
+) -> Result<Command, CannotAsk> {
     let here = std::env::current_dir()?;
     let path = found(&here, manifest).ok_or_else(|| {
         let what = format!(
@@ -70,8 +70,14 @@ pub(crate) fn cargo_run(
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(&cargo);
     command.args(["run", "--profile", profile, "--locked", "--quiet", "--manifest-path"]);
-    let status = command.arg(path).arg("--").args(args).status();
-    status.map_err(|error| CannotAsk::file(Path::new(&cargo), &error.to_string()))
+    command.arg(path).arg("--").args(args);
+    Ok(command)
+}
+
+/// Runs it to its end.
+pub(crate) fn status(command: &mut Command) -> Result<ExitStatus, CannotAsk> {
+    let program = PathBuf::from(command.get_program());
+    command.status().map_err(|error| CannotAsk::file(&program, &error.to_string()))
 }
 
 /// The nearest such file, from a folder up.

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::{Command, Output};
 
 /// A white square in the middle of black, which renders in no time.
-pub const SQUARE: &str = r"// A square.
+pub(crate) const SQUARE: &str = r"// A square.
 (
     version: 1,
     image: (16, 12),
@@ -14,10 +14,10 @@ pub const SQUARE: &str = r"// A square.
 )";
 
 /// A folder with some fixtures, and the binary to run there.
-pub struct Tree(pub tempfile::TempDir);
+pub(crate) struct Tree(pub(crate) tempfile::TempDir);
 
 impl Tree {
-    pub fn new(fixtures: &[(&str, &str)]) -> Self {
+    pub(crate) fn new(fixtures: &[(&str, &str)]) -> Self {
         let tree = Self(tempfile::tempdir().unwrap());
         for (name, text) in fixtures {
             tree.write(&format!("fixtures/{name}.ron"), text.as_bytes());
@@ -26,27 +26,27 @@ impl Tree {
     }
 
     /// The same, with goldens for all.
-    pub fn blessed(fixtures: &[(&str, &str)]) -> Self {
+    pub(crate) fn blessed(fixtures: &[(&str, &str)]) -> Self {
         let tree = Self::new(fixtures);
         tree.run(&["bless", "--all"]).expect_code(0);
         tree
     }
 
-    pub fn path(&self, path: &str) -> std::path::PathBuf {
+    pub(crate) fn path(&self, path: &str) -> std::path::PathBuf {
         self.0.path().join(path)
     }
 
-    pub fn write(&self, path: &str, bytes: &[u8]) {
+    pub(crate) fn write(&self, path: &str, bytes: &[u8]) {
         let path = self.path(path);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, bytes).unwrap();
     }
 
-    pub fn run(&self, args: &[&str]) -> Ran {
+    pub(crate) fn run(&self, args: &[&str]) -> Ran {
         self.run_with(args, &[])
     }
 
-    pub fn run_with(&self, args: &[&str], variables: &[(&str, &str)]) -> Ran {
+    pub(crate) fn run_with(&self, args: &[&str], variables: &[(&str, &str)]) -> Ran {
         let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
         command.args(args).current_dir(self.0.path()).env_remove("CI");
         command.envs(variables.iter().copied());
@@ -55,26 +55,26 @@ impl Tree {
 }
 
 /// What a command said.
-pub struct Ran(pub Output);
+pub(crate) struct Ran(pub(crate) Output);
 
 impl Ran {
-    pub fn stdout(&self) -> String {
+    pub(crate) fn stdout(&self) -> String {
         String::from_utf8(self.0.stdout.clone()).unwrap()
     }
 
-    pub fn stderr(&self) -> String {
+    pub(crate) fn stderr(&self) -> String {
         String::from_utf8(self.0.stderr.clone()).unwrap()
     }
 
     #[track_caller]
-    pub fn expect_code(self, code: i32) -> Self {
+    pub(crate) fn expect_code(self, code: i32) -> Self {
         let found = self.0.status.code();
         assert_eq!(found, Some(code), "{}\n{}", self.stdout(), self.stderr());
         self
     }
 
     #[track_caller]
-    pub fn expect(self, text: &str) -> Self {
+    pub(crate) fn expect(self, text: &str) -> Self {
         let all = format!("{}{}", self.stdout(), self.stderr());
         assert!(all.contains(text), "expected {text:?} in:\n{all}");
         self
