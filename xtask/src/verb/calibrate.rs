@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Stdio;
 
 use harness::calibrate::{self, Record, Report, Spread, this_build};
 use harness::run::render_fixture;
@@ -12,7 +13,7 @@ use harness::{golden, metric};
 use xtask::progress::Progress;
 use xtask::{Answer, CannotAsk, Here};
 
-use super::elsewhere::Program;
+use super::elsewhere::{Program, status};
 
 /// Flags of `calibrate`.
 #[derive(Debug, clap::Args)]
@@ -96,12 +97,13 @@ impl Other<'_> {
     fn run(&self, args: Vec<OsString>, file: &Path) -> Result<Vec<u8>, CannotAsk> {
         let root = ["--root".into(), self.suite.root().canonicalize()?.into()];
         let args: Vec<OsString> = root.into_iter().chain(args).collect();
-        // Its own answer is in what it writes.
         if store::is_file(file) {
             store::remove(file)?;
         }
         eprintln!("asking the {} build", self.profile);
-        let status = Program::this_in(self.profile).run("calibrate", &args)?;
+        let mut command = Program::this_in(self.profile).command("calibrate", &args)?;
+        // Its answer is in what it writes, and is told with this build's.
+        let status = status(command.stdout(Stdio::null()))?;
         let bytes = store::read(file, MAX_BYTES)?;
         bytes.ok_or_else(|| CannotAsk(format!("the {} build ended with {status}", self.profile)))
     }

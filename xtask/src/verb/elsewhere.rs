@@ -68,7 +68,7 @@ fn run(
     Passed { args }: &Passed,
 ) -> Result<Answer, CannotAsk> {
     let args: Vec<_> = first.into_iter().chain(args.iter().cloned()).collect();
-    let status = program.run(verb, &args)?;
+    let status = status(&mut program.command(verb, &args)?)?;
     Ok(match status.code().and_then(|code| u8::try_from(code).ok()) {
         Some(0) => Answer::Yes,
         Some(code) => Answer::Code(code),
@@ -82,11 +82,11 @@ impl Program {
         Self { profile, ..XTASK }
     }
 
-    /// Builds it and runs it; `verb` is what it is asked for.
+    /// What builds it and runs it; `verb` is what it is asked for.
     ///
     /// # Errors
-    /// It is not there, or cargo is not.
-    pub(crate) fn run(&self, verb: &str, args: &[OsString]) -> Result<ExitStatus, CannotAsk> {
+    /// It is not there.
+    pub(crate) fn command(&self, verb: &str, args: &[OsString]) -> Result<Command, CannotAsk> {
         let (here, manifest) = (std::env::current_dir()?, self.manifest);
         let path = found(&here, manifest).ok_or_else(|| {
             let what = format!(
@@ -100,9 +100,15 @@ impl Program {
         let mut command = Command::new(&cargo);
         command.args(["run", "--profile", self.profile, "--locked", "--quiet"]);
         command.arg("--manifest-path").arg(path);
-        let status = command.args(self.build).arg("--").args(args).status();
-        status.map_err(|error| CannotAsk::file(Path::new(&cargo), &error.to_string()))
+        command.args(self.build).arg("--").args(args);
+        Ok(command)
     }
+}
+
+/// Runs it to its end.
+pub(crate) fn status(command: &mut Command) -> Result<ExitStatus, CannotAsk> {
+    let program = PathBuf::from(command.get_program());
+    command.status().map_err(|error| CannotAsk::file(&program, &error.to_string()))
 }
 
 /// The nearest such file, from a folder up.

@@ -104,6 +104,22 @@ fn one_reason_is_enough_for_a_group() {
     check(&[("a", &text)], &[]);
 }
 
+#[test]
+fn what_an_expectation_would_miss_is_tested() {
+    // The limit catches next to nothing, the expectation sees the left ball.
+    let limits = r#"limits: (max_abs: 254, reason: "a test")"#;
+    let idle = |check: &str| {
+        let text = checked(check).replace("version: 1", "version: 1, show: Silhouette");
+        let (short, found) = findings(&[("a", &text)]);
+        assert!(found.iter().all(|f| f.rule != MATCHES), "{found:?}");
+        short.into_iter().filter(|s| s.ends_with("idle-part")).collect::<Vec<_>>()
+    };
+    let white = "Pixel(at: (11, 12), rgb: (255, 255, 255))";
+    assert_eq!(idle(limits), ["a:7 idle-part", "a:8 idle-part", "a:11 idle-part"]);
+    let expected = format!("{limits}, expect: [{white}]");
+    assert_eq!(idle(&expected), ["a:8 idle-part", "a:11 idle-part"]);
+}
+
 /// The same picture, the scene written otherwise.
 fn twin() -> String {
     spheres("Group(objects: [", "Group(transform: [Scale(1, 1, 1)], objects: [")

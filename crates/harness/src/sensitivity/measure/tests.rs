@@ -1,9 +1,14 @@
 //! Scratch goldens under tight and loose limits: what is caught, and from which
 //! strength on.
 
-use tracer::Size;
+use tracer::{LinearImage, Rgb, Size};
 
 use super::*;
+use crate::expectation::Rendered;
+use crate::fixture::{Build, Fixture};
+use crate::golden::Golden;
+use crate::judge::{Found, judge};
+use crate::verdict::Verdict;
 
 /// Fine stripes beside a smooth ramp, in color.
 fn golden() -> EncodedImage {
@@ -90,6 +95,22 @@ fn a_loose_ssim_lets_visible_defects_pass() {
 }
 
 #[test]
+fn what_moves_few_codes_is_not_seen_unless_a_command_says_so() {
+    let limits = Limits { max_abs: Some(3), reason: "a test".into(), ..Limits::default() };
+    let misses = |texts: &[&str]| {
+        let texts: Vec<_> = texts.iter().map(|&text| text.to_owned()).collect();
+        let visible = Visible::from_texts(&texts).unwrap();
+        let is_missed = |d: &&Defect| missed(d, Some(&limits), &golden(), &visible).is_some();
+        DEFECTS.iter().filter(is_missed).map(|defect| defect.name).collect::<Vec<_>>()
+    };
+    assert_eq!(misses(&[]), [""; 0]);
+    assert_eq!(misses(&["change=3", "blob-2=3"]), ["blob-2"]);
+    // Half a percent of the lightest code, 255, is one code.
+    assert_eq!(misses(&["gain=0.5"]), [""; 0]);
+    assert_eq!(misses(&["change=1", "gain=0.5"]), ["gain"]);
+}
+
+#[test]
 fn what_changes_nothing_has_no_effect() {
     let flat = EncodedImage::from_fn(Size { width: 20, height: 20 }, |_, _| [90; 3]);
     for name in ["row", "shift-right", "shift-down", "hue", "blur"] {
@@ -128,4 +149,42 @@ fn the_steps_lead_from_the_least_to_the_most() {
         assert!(steps.is_sorted_by(|a, b| a < b), "{name}: {steps:?}");
         assert_eq!((steps[0], *steps.last().unwrap()), (strengths.least, strengths.most));
     }
+}
+
+/// The judge of `cargo xtask check`, for each defect at the strength that is
+/// seen.
+#[test]
+fn what_is_caught_is_what_the_judge_calls_different() {
+    let golden = golden();
+    let linear = LinearImage::from_pixels(golden.size(), vec![Rgb::BLACK; 48 * 32]).unwrap();
+    let mut verdicts = Vec::new();
+    for limits in ["", "ssim: 0.98", "max_abs: 2", "differing_pixels: 20"] {
+        let check = if limits.is_empty() {
+            String::new()
+        } else {
+            format!("check: (limits: ({limits}, reason: \"a test\")),")
+        };
+        let text = format!(
+            "(version: 1, image: (48, 32), {check}
+                camera: LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 40))"
+        );
+        let fixture = Fixture::read("a", &text, &scene::NoAssets, Build::Bvh).unwrap();
+        let provenance = Some(fixture.provenance.clone());
+        let found = Found::Golden(Golden {
+            picture: golden.clone(),
+            provenance,
+            accepted: None,
+            file_bytes: 0,
+        });
+        for defect in DEFECTS {
+            let place = (defect.places)(&golden)[0];
+            let encoded = (defect.inject)(&golden, place, defect.visible);
+            let caught = is_caught(fixture.check.limits.as_ref(), &golden, &encoded);
+            let picture = Rendered { linear: linear.clone(), encoded };
+            let verdict = judge(&fixture, &picture, &found).verdict;
+            assert_eq!(verdict == Verdict::Differs, caught, "{limits} {}", defect.name);
+            verdicts.push(caught);
+        }
+    }
+    assert!(verdicts.contains(&true) && verdicts.contains(&false), "{verdicts:?}");
 }
