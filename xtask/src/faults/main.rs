@@ -10,7 +10,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use harness::faults::{Fall, Fault, Matrix, falls, json, read_floor, text, try_fault, write_floor};
+use harness::faults::{Fall, Fault, Matrix};
+use harness::faults::{falls, json, markdown, read_floor, text, try_fault, write_floor};
 use harness::filter;
 use harness::suite::Suite;
 use xtask::{Answer, CannotAsk, Here, end_where_nothing_can_be_printed, exit_code};
@@ -32,6 +33,9 @@ struct Cli {
     /// Also write the matrix to this file as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Also write the matrix to this file as a page
+    #[arg(long, value_name = "FILE")]
+    markdown: Option<PathBuf>,
     /// List the faults and what each does, and try none
     #[arg(long)]
     list: bool,
@@ -72,13 +76,16 @@ fn run(cli: &Cli) -> Result<Answer, CannotAsk> {
     if let Some(name) = &cli.trial {
         return trial(&suite, &names, name);
     }
-    if let Some(path) = &cli.json {
+    for path in cli.json.iter().chain(&cli.markdown) {
         here.may_write(path)?;
     }
     let matrix = trials::of_all(&suite, &names, &chosen, cli.patience)?;
     print!("{}", text(&matrix));
     if let Some(path) = &cli.json {
         here.write(path, serde_json::to_string_pretty(&json(&matrix))?.as_bytes())?;
+    }
+    if let Some(path) = &cli.markdown {
+        here.write(path, markdown(&matrix).as_bytes())?;
     }
     if cli.write {
         write_floor(&suite, &matrix.kills())?;

@@ -16,7 +16,7 @@ mod trial;
 
 pub use floor::{FLOOR, Fall, Floor, Kills, falls, read_floor, write_floor};
 pub use matrix::{Matrix, Row, Status};
-pub use report::{json, text};
+pub use report::{json, markdown, text};
 pub use tracer::fault::Fault;
 #[cfg(feature = "faults")]
 pub use trial::try_fault;

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use super::floor::Kills;
 use super::matrix::{Matrix, Row, Status};
 use super::trial::{Evidence, Fate, Trial};
 
@@ -56,6 +57,35 @@ pub fn text(matrix: &Matrix) -> String {
         count(Status::Crashed)
     );
     text
+}
+
+/// The matrix as a page: what each fault does, and how many fixtures notice it.
+pub fn markdown(matrix: &Matrix) -> String {
+    let fixtures = matrix.rows.iter().map(|row| row.trials.len()).max().unwrap_or(0);
+    let mut page = format!(
+        "# What the suite notices\n\n{} mistakes that renderers are known to make, each seeded into \
+         the tracer alone, against {fixtures} fixtures. *Needed by*: fixtures that need the place of \
+         the mistake. *Noticed by*: those that fail, of them by their golden, and by an expectation \
+         or a relation, which need none. *Weakest*: the failing fixture whose picture is nearest to \
+         its golden.\n\nWritten by `cargo xtask faults --markdown docs/faults.md`; \
+         [trust.md](trust.md#seeded-faults) says how.\n\n\
+         | mistake | needed by | noticed by | golden | on paper | weakest |\n\
+         |---|--:|--:|--:|--:|---|\n",
+        matrix.rows.len()
+    );
+    let kills = matrix.kills();
+    for row in &matrix.rows {
+        let counts = kills.get(&row.fault.name()).copied().unwrap_or_default();
+        let weakest = row.strongest_and_weakest().map_or(String::new(), |[_, end]| evidence(end));
+        let (needed, words) = (row.reached(), row.fault.words());
+        let Kills { all, golden, paper } = counts;
+        let _ = writeln!(
+            page,
+            "| `{}`: {words} | {needed} | {all} | {golden} | {paper} | {weakest} |",
+            row.fault.name()
+        );
+    }
+    page
 }
 
 /// A fixture and how far its picture is off.
@@ -152,6 +182,16 @@ mod tests {
         ] {
             assert!(text.contains(words), "{words}\n{text}");
         }
+    }
+
+    #[test]
+    fn the_page_has_a_row_for_each() {
+        let page = markdown(&matrix());
+        let row =
+            "| `gamma-twice`: The curve is applied twice. | 3 | 2 | 2 | 1 | b (2 px, 0/255) |";
+        assert!(page.contains(row), "{page}");
+        assert!(page.contains("| `tile-lost`") && page.contains("4 mistakes"), "{page}");
+        assert!(page.contains("against 3 fixtures"), "{page}");
     }
 
     #[test]
