@@ -91,6 +91,20 @@ impl Here {
         nearest.ok_or_else(|| SuiteError::NoSuite(here).into())
     }
 
+    /// The fixtures that the filters select, at least one: of none there is
+    /// nothing to say.
+    ///
+    /// # Errors
+    /// Filters that select nothing or only goldens without a fixture, and folders
+    /// that cannot be read.
+    pub fn fixtures(suite: &Suite, filters: &[String]) -> Result<Vec<String>, CannotAsk> {
+        let names = suite.select(filters)?.fixtures;
+        if names.is_empty() {
+            return Err(CannotAsk("expected a fixture, found only goldens without one".to_owned()));
+        }
+        Ok(names)
+    }
+
     /// Writes a file that the user named, but none of the suite's own.
     ///
     /// # Errors

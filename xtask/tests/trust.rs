@@ -81,6 +81,11 @@ fn lint_answers_yes_no_and_cannot_ask() {
     assert_eq!(rules.len(), 5, "{rules:?}");
     let first = &found["findings"][0];
     assert_eq!((&first["file"], &first["line"]), (&"fixtures/a.ron".into(), &2.into()));
+    tree.write("golden/gone.png", b"");
+    for verb in ["lint", "sensitivity", "calibrate"] {
+        let ran = tree.run(&[verb, "gone"]).expect_code(2);
+        ran.expect("expected a fixture, found only goldens without one");
+    }
     tree.run(&["lint", "c"]).expect_code(2).expect("selects nothing");
     tree.run(&["lint", "--visible", "gain=0"]).expect_code(2).expect("above 0");
 }
@@ -89,7 +94,7 @@ fn lint_answers_yes_no_and_cannot_ask() {
 fn calibrate_finds_no_spread_and_says_what_that_justifies() {
     let tree = Tree::blessed(&[("a", SQUARE), ("loose", &loose())]);
     let ran = tree.run(&["calibrate", "--this-build", "--json", "c.json"]).expect_code(0);
-    ran.expect("none: identical").expect("2 fixtures, all with the same bits");
+    ran.expect("none: identical").expect("2 calibrated: 0 with other bits");
     let found = json(&tree, "c.json");
     assert_eq!((&found["schema"], &found["builds"][0]["build"]), (&1.into(), &"dev".into()));
     // Four numbers of threads, at least plain arrays, twice.

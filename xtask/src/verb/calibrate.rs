@@ -32,6 +32,10 @@ pub(crate) struct Args {
     this_build: bool,
 }
 
+/// What the other build writes, relative to the suite; not among what `check`
+/// leaves behind, as that is still of use.
+const ARTIFACTS: &str = "target/goldray-calibrate";
+
 /// The largest report or picture of the other build that is read, in bytes.
 const MAX_BYTES: u64 = 256 << 20;
 
@@ -40,7 +44,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         here.may_write(path)?;
     }
     let suite = here.suite()?;
-    let names = suite.select(&args.filters)?.fixtures;
+    let names = Here::fixtures(&suite, &args.filters)?;
     let progress = Progress::start("calibrating", names.len());
     let mine = calibrate::calibrate(&suite, &names, args.repeats, &|name| progress.advance(name));
     progress.finish();
@@ -70,6 +74,7 @@ struct Other<'a> {
 impl Other<'_> {
     /// What it finds of these fixtures.
     fn record(&self, names: &[String], repeats: u32) -> Result<Record, CannotAsk> {
+        store::empty_artifacts(&self.suite.root().join(ARTIFACTS))?;
         let file = self.artifact("report.json");
         let repeats = repeats.to_string();
         let flags = ["calibrate", "--this-build", "--repeats", &repeats, "--json"];
@@ -109,6 +114,6 @@ impl Other<'_> {
     }
 
     fn artifact(&self, name: &str) -> PathBuf {
-        self.suite.artifacts().join("calibrate").join(name)
+        self.suite.root().join(ARTIFACTS).join(name)
     }
 }

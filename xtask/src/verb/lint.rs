@@ -29,7 +29,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         here.may_write(path)?;
     }
     let suite = here.suite()?;
-    let names = suite.select(&args.filters)?.fixtures;
+    let names = Here::fixtures(&suite, &args.filters)?;
     let progress = Progress::start("linting", names.len());
     let findings = lint::lint(&suite, &names, &visible, &|name| progress.advance(name));
     progress.finish();

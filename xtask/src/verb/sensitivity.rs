@@ -46,7 +46,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         here.may_write(path)?;
     }
     let suite = here.suite()?;
-    let names = suite.select(&args.filters)?.fixtures;
+    let names = Here::fixtures(&suite, &args.filters)?;
     let cases = names.iter().map(|name| Case::open(&suite, name)).collect::<Result<Vec<_>, _>>();
     let cases = cases.map_err(CannotAsk)?;
     let progress = Progress::start("damaging", cases.len());

@@ -89,10 +89,8 @@ impl Report {
         for Record { build, ways, .. } in &self.builds {
             let _ = writeln!(text, "{build}: each picture made in {ways} ways");
         }
-        let _ = match self.fixtures.iter().filter(|f| f.spread.other_bits > 0).count() {
-            0 => writeln!(text, "{} fixtures, all with the same bits", self.fixtures.len()),
-            n => writeln!(text, "{} fixtures, {n} with other bits", self.fixtures.len()),
-        };
+        let differing = self.fixtures.iter().filter(|f| f.spread.other_bits > 0).count();
+        let _ = writeln!(text, "{} calibrated: {differing} with other bits", self.fixtures.len());
         text
     }
 }

@@ -11,6 +11,10 @@ use crate::metric::{Comparison, compare};
 /// be off as far again to the other side.
 pub const MARGIN: f64 = 2.0;
 
+/// An SSIM is rounded down to whole parts of this: more digits are not worth
+/// writing into a fixture.
+const DIGITS: f64 = 1e6;
+
 /// The furthest that any picture was from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
@@ -92,14 +96,23 @@ impl Spread {
     }
 
     /// The loosest limits that it justifies, [`MARGIN`] included; `None` where a
-    /// fixture has no reason to differ at all.
+    /// fixture has no reason to differ at all. One that would let everything
+    /// pass is left out: pictures that far apart are not the same.
     pub fn justified(&self) -> Option<Limits> {
+        let widened = |ssim: f64| {
+            let limit = 1.0 - MARGIN * (1.0 - ssim);
+            Some((limit * DIGITS).floor() / DIGITS).filter(|limit| 0.0 < *limit)
+        };
+        let raised = |flip: f64| {
+            Some((MARGIN * flip * DIGITS).ceil() / DIGITS).filter(|limit| *limit < 1.0)
+        };
+        let codes = MARGIN * f64::from(self.max_abs);
         (!self.is_none()).then(|| Limits {
-            ssim: Some(1.0 - MARGIN * (1.0 - self.ssim)),
-            ssim_worst: Some(1.0 - MARGIN * (1.0 - self.ssim_worst)),
-            flip: Some(MARGIN * self.flip),
-            flip_worst: Some(MARGIN * self.flip_worst),
-            max_abs: Some((MARGIN * f64::from(self.max_abs)) as u8),
+            ssim: widened(self.ssim),
+            ssim_worst: widened(self.ssim_worst),
+            flip: raised(self.flip),
+            flip_worst: raised(self.flip_worst),
+            max_abs: (codes < f64::from(u8::MAX)).then_some(codes as u8),
             differing_pixels: Some((MARGIN * self.differing_pixels as f64) as u64),
             reason: "calibrated".to_owned(),
         })

@@ -32,11 +32,13 @@ fn a_good_renderer_has_no_spread_and_no_limits() {
 fn each_way_can_have_a_spread_of_its_own() {
     let levels = tracer::Instructions::all();
     let last = *levels.last().unwrap();
-    assert!(levels.len() > 1, "a debug build has plain arrays as well");
     let ways = 2 * levels.len() as u64;
     let threads = spread(0.1, |way| way.threads == 7);
     assert_eq!(threads.other_bits, ways);
-    assert_eq!(spread(0.1, |way| way.instructions == last).other_bits, 8);
+    // With a single level all are off together. On x86-64 there are two and more.
+    let others = if levels.len() > 1 { 8 } else { 0 };
+    assert!(others > 0 || cfg!(not(target_arch = "x86_64")));
+    assert_eq!(spread(0.1, |way| way.instructions == last).other_bits, others);
     assert_eq!(spread(0.1, |way| way.repeat == 1).other_bits, ways / 2 * 4);
     // 0.5 is code 186, 0.6 is 202.
     assert_eq!((threads.max_abs, threads.differing_pixels), (16, 1));
@@ -68,10 +70,18 @@ fn limits_may_be_twice_the_spread() {
     assert_eq!(fields(Limits { differing_pixels: Some(3), ..none.clone() }), ["differing_pixels"]);
     let worst = 1.0 - 2.0 * (1.0 - found.ssim_worst);
     assert_eq!(fields(Limits { ssim: Some(worst), ..none.clone() }), [""; 0]);
-    assert_eq!(fields(Limits { ssim: Some(worst - 1e-9), ..none.clone() }), ["ssim"]);
+    assert_eq!(fields(Limits { ssim: Some(worst - 1e-5), ..none.clone() }), ["ssim"]);
     // Where nothing differs, any limit is too loose.
     let tight = Limits { max_abs: Some(1), ssim: Some(0.999_999), ..none };
     assert_eq!(Spread::default().looser(&tight).len(), 2);
+}
+
+#[test]
+fn pictures_that_have_nothing_in_common_justify_no_such_limit() {
+    let apart = Spread::of(None).justified().unwrap();
+    assert_eq!((apart.ssim, apart.ssim_worst, apart.max_abs), (None, None, None));
+    let loose = Limits { ssim: Some(0.1), max_abs: Some(254), ..Limits::default() };
+    assert_eq!(Spread::of(None).looser(&loose).len(), 2);
 }
 
 /// What a build found of one fixture.

@@ -51,14 +51,13 @@ pub fn markdown(rows: &[Row], summary: &Summary<'_>, visible: &Visible) -> Strin
     for (i, of) in summary.defects.iter().enumerate() {
         let [seen, median, worst] = numbers(i, of, visible);
         let (name, does) = (of.defect.name, of.defect.does);
-        let worst_in = of.worst.map_or("", |row| row.fixture.as_str());
-        let _ =
-            writeln!(text, "| `{name}` | {does} | {seen} | {median} | {worst} | `{worst_in}` |");
+        let worst_in = worst_in(i, of).map_or("-".to_owned(), |name| format!("`{name}`"));
+        let _ = writeln!(text, "| `{name}` | {does} | {seen} | {median} | {worst} | {worst_in} |");
     }
     let missed = rows.iter().filter(|row| row.cells.iter().any(|cell| cell.missed.is_some()));
     let _ = write!(
         text,
-        "\n{} fixtures, of which {} let a defect pass that is seen. {}\n",
+        "\n{} fixtures, of which {} let a defect pass that is seen.\n{}\n",
         rows.len(),
         missed.count(),
         weakest_line(summary)
