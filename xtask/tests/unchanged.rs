@@ -23,11 +23,12 @@ fn unchanged_fixtures_are_judged_without_rendering_unless_asked() {
         || -> Value { serde_json::from_slice(&fs::read(tree.path("out.json")).unwrap()).unwrap() };
     for (args, variables) in [(["--no-cache"].as_slice(), [].as_slice()), (&[], &[("CI", "1")])] {
         let args = [&["check", "--json", "out.json"], args].concat();
-        tree.run_with(&args, variables).expect_code(0).expect("3 judged: 3 match (0.");
+        let ran = tree.run_with(&args, variables).expect_code(0).expect("3 judged: 3 match (");
+        assert!(!ran.stdout().contains("unchanged"), "{}", ran.stdout());
         assert!(!tree.path(RECORD).exists(), "neither read nor written");
         assert_eq!(summary(&json()), [0; 3]);
     }
-    tree.run(&["check"]).expect_code(0).expect("3 judged: 3 match (0.");
+    tree.run(&["check"]).expect_code(0).expect("3 judged: 3 match (");
     let ran = tree.run(&["check", "--json", "out.json"]).expect_code(0).expect("audited: ");
     ran.expect("3 judged: 3 match (3 unchanged since their last match, 1 of them rendered again");
     assert_eq!(summary(&json()), [3, 1, 0]);
@@ -39,7 +40,8 @@ fn unchanged_fixtures_are_judged_without_rendering_unless_asked() {
     assert_eq!(fixtures.iter().filter(|f| f["audited"] == true && f["max_abs"] == 0).count(), 1);
     for (args, variables) in [(["--no-cache"].as_slice(), [].as_slice()), (&[], &[("CI", "1")])] {
         let args = [&["check", "--json", "out.json"], args].concat();
-        tree.run_with(&args, variables).expect_code(0).expect("3 judged: 3 match (0.");
+        let ran = tree.run_with(&args, variables).expect_code(0).expect("3 judged: 3 match (");
+        assert!(!ran.stdout().contains("unchanged"), "{}", ran.stdout());
         assert_eq!(summary(&json()), [0; 3]);
     }
 
@@ -66,18 +68,20 @@ fn unchanged_fixtures_are_judged_without_rendering_unless_asked() {
 
 #[test]
 fn checks_beside_each_other_keep_the_record_whole() {
-    let names: Vec<_> = (0..40).map(|i| format!("f{i}")).collect();
+    let failing = (0..5).map(|i| format!("wrong/f{i}"));
+    let names: Vec<_> = (0..40).map(|i| format!("f{i}")).chain(failing).collect();
     let fixtures: Vec<_> = names.iter().map(|name| (name.as_str(), SQUARE)).collect();
     let tree = Tree::blessed(&fixtures);
+    fs::remove_dir_all(tree.path("golden/wrong")).unwrap();
     for round in 0..3 {
-        // Something to render and to record in each round.
+        // Something to render and to record in each round, and a failure.
         tree.write("fixtures/f0.ron", format!("// {round}\n{SQUARE}").as_bytes());
         let start = || tree.command(&["check"]).stdout(Stdio::piped()).spawn().unwrap();
         let running: Vec<_> = std::iter::repeat_with(start).take(4).collect();
         for child in running {
-            let ran = Ran(child.wait_with_output().unwrap()).expect_code(0);
-            ran.expect("40 judged: 40 match");
+            let ran = Ran(child.wait_with_output().unwrap()).expect_code(1);
+            ran.expect("45 judged: 40 match, 5 missing golden");
         }
-        tree.run(&["check"]).expect_code(0).expect("(40 unchanged since their last match, 2 of");
+        tree.run(&["check"]).expect_code(1).expect("(40 unchanged since their last match, 2 of");
     }
 }

@@ -8,7 +8,7 @@
 mod tests;
 
 use std::fs;
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -45,7 +45,7 @@ pub fn read(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>, StoreError> 
     match fs::metadata(path) {
         Ok(found) if found.is_file() => {}
         Ok(_) => return Err(StoreError::new(path, "is no file")),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(StoreError::io(path, &error)),
     }
     let file = fs::File::open(path).map_err(|error| StoreError::io(path, &error))?;
@@ -89,11 +89,7 @@ const TEMPORARY: (&str, &str) = (".goldray-", ".tmp");
 /// behind. Those that a program is writing are locked by it, and stay.
 pub fn sweep(folder: &Path) {
     for entry in WalkDir::new(folder).into_iter().filter_map(Result::ok) {
-        let name = entry.file_name().as_encoded_bytes();
-        let is_temporary = entry.file_type().is_file()
-            && name.starts_with(TEMPORARY.0.as_bytes())
-            && name.ends_with(TEMPORARY.1.as_bytes());
-        if is_temporary {
+        if entry.file_type().is_file() && is_temporary(entry.path()) {
             let abandoned = fs::File::options().write(true).open(entry.path());
             if abandoned.is_ok_and(|file| file.try_lock().is_ok()) {
                 // Should it stay, it is as harmless as before.
@@ -101,6 +97,11 @@ pub fn sweep(folder: &Path) {
             }
         }
     }
+}
+
+fn is_temporary(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+    name.starts_with(TEMPORARY.0.as_bytes()) && name.ends_with(TEMPORARY.1.as_bytes())
 }
 
 /// Writes the file whole or not at all, with the folders it needs.
@@ -111,11 +112,15 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
     write_then(path, bytes, |file| file.persist(path).map(drop).map_err(|error| error.error))
 }
 
+/// How often a file is written again whose folder has gone meanwhile: each time
+/// takes another check that begins in this very moment.
+const MAX_TRIES: usize = 9;
+
 /// Writes to a temporary file beside `path`, then gives it its place.
 fn write_then(
     path: &Path,
     bytes: &[u8],
-    persist: impl FnOnce(NamedTempFile) -> std::io::Result<()>,
+    persist: impl Fn(NamedTempFile) -> std::io::Result<()>,
 ) -> Result<(), StoreError> {
     if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
         return Err(StoreError::new(path, "is there already, and is no file"));
@@ -136,7 +141,15 @@ fn write_then(
         file.as_file().sync_all()?;
         persist(file)
     };
-    write().map_err(|error| StoreError::io(path, &error))
+    let mut written = write();
+    // Another check may be emptying the folder it is in.
+    for _ in 0..MAX_TRIES {
+        match &written {
+            Err(error) if error.kind() == ErrorKind::NotFound => written = write(),
+            _ => break,
+        }
+    }
+    written.map_err(|error| StoreError::io(path, &error))
 }
 
 /// Writes a file that must not be there yet.
@@ -174,14 +187,17 @@ const ARTIFACTS_MARK: (&str, &[u8]) = (
 /// keeps it from being emptied.
 pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
     let failed = |path: &Path, error: &std::io::Error| match error.kind() {
-        // Another check on the same folder was faster.
-        std::io::ErrorKind::NotFound => Ok(()),
+        // Another check was faster, or is writing what it found.
+        ErrorKind::NotFound | ErrorKind::DirectoryNotEmpty => Ok(()),
         _ => Err(StoreError::io(path, error)),
     };
-    let entries = match fs::read_dir(path) {
+    // What another check is writing at this moment stays.
+    sweep(path);
+    let entries: Vec<_> = match fs::read_dir(path) {
         Ok(entries) => entries.filter_map(Result::ok).map(|entry| entry.path()).collect(),
         Err(error) => failed(path, &error).map(|()| Vec::new())?,
     };
+    let entries: Vec<_> = entries.into_iter().filter(|entry| !is_temporary(entry)).collect();
     let mark = path.join(ARTIFACTS_MARK.0);
     if !entries.is_empty() && !entries.contains(&mark) {
         let what = "is in the way of the artifacts and was not made by goldray: move it";
@@ -189,7 +205,10 @@ pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
     }
     // The mark comes first and stays, so that a run cut short leaves a folder
     // that the next one knows.
-    write(&mark, ARTIFACTS_MARK.1)?;
+    if !is_file(&mark) {
+        // Another check that begins may be emptying the folder by then.
+        write(&mark, ARTIFACTS_MARK.1).or_else(|e| if is_file(&mark) { Ok(()) } else { Err(e) })?;
+    }
     for entry in entries.iter().filter(|entry| **entry != mark) {
         let is_folder = fs::symlink_metadata(entry).is_ok_and(|found| found.is_dir());
         let removed = if is_folder { fs::remove_dir_all(entry) } else { fs::remove_file(entry) };
