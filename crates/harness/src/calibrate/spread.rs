@@ -103,9 +103,8 @@ impl Spread {
             let limit = 1.0 - MARGIN * (1.0 - ssim);
             Some((limit * DIGITS).floor() / DIGITS).filter(|limit| 0.0 < *limit)
         };
-        let raised = |flip: f64| {
-            Some((MARGIN * flip * DIGITS).ceil() / DIGITS).filter(|limit| *limit < 1.0)
-        };
+        let raised =
+            |flip: f64| Some((MARGIN * flip * DIGITS).ceil() / DIGITS).filter(|limit| *limit < 1.0);
         let codes = MARGIN * f64::from(self.max_abs);
         (!self.is_none()).then(|| Limits {
             ssim: widened(self.ssim),
