@@ -209,10 +209,23 @@ pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
         // Another check that begins may be emptying the folder by then.
         write(&mark, ARTIFACTS_MARK.1).or_else(|e| if is_file(&mark) { Ok(()) } else { Err(e) })?;
     }
-    for entry in entries.iter().filter(|entry| **entry != mark) {
-        let is_folder = fs::symlink_metadata(entry).is_ok_and(|found| found.is_dir());
-        let removed = if is_folder { fs::remove_dir_all(entry) } else { fs::remove_file(entry) };
-        removed.or_else(|error| failed(entry, &error))?;
+    for entry in WalkDir::new(path).min_depth(1).contents_first(true) {
+        let entry = match entry {
+            Ok(entry) => entry,
+            Err(error) => {
+                let at = error.path().unwrap_or(path).to_owned();
+                failed(&at, &error.into())?;
+                continue;
+            }
+        };
+        let entry_path = entry.path();
+        if entry_path == mark || is_temporary(entry_path) {
+            continue;
+        }
+        let is_folder = entry.file_type().is_dir();
+        let remove =
+            if is_folder { fs::remove_dir(entry_path) } else { fs::remove_file(entry_path) };
+        remove.or_else(|error| failed(entry_path, &error))?;
     }
     Ok(())
 }

@@ -99,3 +99,26 @@ fn links_to_files_count_and_links_to_folders_are_errors() {
     symlink(folder.path(), folder.path().join("in/d")).unwrap();
     assert!(names(&folder.path().join("in"), "ron").is_err(), "a link to a folder");
 }
+
+#[test]
+fn a_check_that_begins_does_not_disturb_one_that_writes() {
+    use std::sync::atomic::{AtomicBool, Ordering};
+    const FILES: usize = 60;
+    let folder = tempfile::tempdir().unwrap();
+    let artifacts = folder.path().join("target/goldray");
+    empty_artifacts(&artifacts).unwrap();
+    let is_done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let emptying = scope.spawn(|| {
+            while !is_done.load(Ordering::Relaxed) {
+                empty_artifacts(&artifacts)?;
+            }
+            Ok::<_, StoreError>(())
+        });
+        let write_one = |i: usize| write(&artifacts.join(format!("area/deep/{i}.png")), b"1");
+        let written: Result<Vec<_>, _> = (0..FILES).map(write_one).collect();
+        is_done.store(true, Ordering::Relaxed);
+        emptying.join().unwrap().unwrap();
+        written.unwrap();
+    });
+}
