@@ -14,7 +14,8 @@ const SCHEMA: u32 = 1;
 /// `summary` has `total`, `green`, `elapsed_ms` and a count for each verdict,
 /// zeros included. A fixture has `name`, `verdict`, `findings`, `width`,
 /// `height`, `render_ms`, `compare_ms`, `relate_ms`, `strip`,
-/// `breaks_expectations`, `breaks_relations`, `command` and every metric of [`comparison_json`]; what there is not is null.
+/// `breaks_expectations`, `breaks_relations`, `command` and every metric of
+/// [`comparison_json`]; what there is not is null.
 pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
     let summary = summarize(outcomes);
     let mut counts = Map::new();
