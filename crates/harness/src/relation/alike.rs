@@ -53,7 +53,8 @@ impl Alike {
         problems
     }
 
-    /// Whether the pictures are so alike.
+    /// Whether the pictures are so alike. One of a single color says nothing,
+    /// as it is like its own shifts, turns and parts.
     ///
     /// # Errors
     /// The first pixel that is off, and how many are.
@@ -68,7 +69,7 @@ impl Alike {
         let off: Vec<_> = pairs.filter(|(_, (a, b))| !is_close(**a, **b, allowed)).collect();
         let Some(&(first, (a, b))) = off.first().filter(|_| off.len() > self.edge_pixels as usize)
         else {
-            return Ok(());
+            return says_something(expected);
         };
         let (x, y) = (first % width as usize, first / width as usize);
         let may = match self.edge_pixels {
@@ -83,6 +84,18 @@ impl Alike {
             expected.pixels().len()
         ))
     }
+}
+
+/// Nothing where the picture has two colors or more.
+///
+/// # Errors
+/// That it has not.
+fn says_something(picture: &LinearImage) -> Result<(), String> {
+    let mut pairs = picture.pixels().windows(2);
+    if pairs.any(|pair| pair[0] != pair[1]) {
+        return Ok(());
+    }
+    Err("expected two colors or more to compare, found one".to_owned())
 }
 
 /// Whether every channel has the same bits, or is no farther off than
@@ -106,10 +119,13 @@ mod tests {
 
     const SIZE: Size = Size { width: 20, height: 10 };
 
-    /// A gray picture whose first `off` pixels are lighter by `by`.
+    /// A gray picture whose last pixel is black and whose first `off` are lighter
+    /// by `by`.
     fn picture(off: usize, by: f64) -> LinearImage {
         let value = |i: usize| if i < off { 0.5 + by } else { 0.5 };
-        LinearImage::from_pixels(SIZE, (0..200).map(|i| Rgb::WHITE * value(i)).collect()).unwrap()
+        let mut pixels: Vec<_> = (0..200).map(|i| Rgb::WHITE * value(i)).collect();
+        pixels[199] = Rgb::BLACK;
+        LinearImage::from_pixels(SIZE, pixels).unwrap()
     }
 
     #[track_caller]
@@ -132,7 +148,7 @@ mod tests {
              0.5000000000000002, 0.5000000000000002]; 1 of 200 pixels differ"),
         );
         // Relative to 0.5.
-        check((1e-6, 0), (200, 0.4e-6), Ok(()));
+        check((1e-6, 0), (199, 0.4e-6), Ok(()));
         assert!(
             Alike { within: 1e-6, edge_pixels: 0 }
                 .compare(&picture(0, 0.0), &picture(1, 0.6e-6))
@@ -152,13 +168,17 @@ mod tests {
     #[test]
     fn the_place_is_counted_from_the_upper_left() {
         let spot = LinearImage::from_fn(SIZE, |x, y| {
-            if (x, y) == (7, 3) { Rgb::WHITE } else { Rgb::WHITE * 0.5 }
+            let value = if (x, y) == (7, 3) { 1.0 } else { 0.5 };
+            if (x, y) == (19, 9) { Rgb::BLACK } else { Rgb::WHITE * value }
         });
         let said = Alike::BITS.compare(&picture(0, 0.0), &spot).unwrap_err();
         assert!(said.starts_with("pixel (7, 3): expected [0.5, "), "{said}");
         let other = LinearImage::from_fn(Size { width: 10, height: 20 }, |_, _| Rgb::BLACK);
         let said = Alike::BITS.compare(&other, &spot).unwrap_err();
         assert_eq!(said, "expected a picture of 10 x 20, found 20 x 10");
+        let flat = LinearImage::from_fn(SIZE, |_, _| Rgb::WHITE);
+        let said = Alike::BITS.compare(&flat, &flat).unwrap_err();
+        assert_eq!(said, "expected two colors or more to compare, found one");
     }
 
     #[test]

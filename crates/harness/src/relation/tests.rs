@@ -234,7 +234,7 @@ fn every_camera_can_be_cropped() {
     ] {
         let scene = SCENE.replace(perspective, camera);
         for crop in
-            ["at: (0, 0), size: (5, 4)", "at: (23, 19), size: (1, 1)", "at: (4, 2), size: (20, 9)"]
+            ["at: (0, 0), size: (5, 4)", "at: (22, 18), size: (2, 2)", "at: (4, 2), size: (20, 9)"]
         {
             holds(&scene, &format!("Crop({crop})"));
         }

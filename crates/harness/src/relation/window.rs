@@ -95,10 +95,9 @@ impl Window {
 
     /// The camera with this window.
     pub(crate) fn camera(&self) -> Camera {
-        let [_, up, normal] = self.axes.map(|axis| axis.to_array());
+        let [_, view_up, normal] = self.axes.map(|axis| axis.to_array());
         let (view_point, view_dir) = (self.eye.to_array(), self.ahead.to_array());
         let (proj_normal, [view_width, view_height]) = (Some(normal), self.size);
-        let view_up = up;
         if self.is_perspective {
             let proj_distance = self.ahead.length();
             Camera::Perspective {
