@@ -6,13 +6,14 @@
 
 mod trials;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 use harness::faults::{Fall, Fault, Matrix};
 use harness::faults::{falls, json, markdown, read_floor, text, try_fault, write_floor};
 use harness::filter;
+use harness::store;
 use harness::suite::Suite;
 use xtask::{Answer, CannotAsk, Here, end_where_nothing_can_be_printed, exit_code};
 
@@ -36,6 +37,9 @@ struct Cli {
     /// Also write the matrix to this file as a page
     #[arg(long, value_name = "FILE")]
     markdown: Option<PathBuf>,
+    /// Hold the page in this file against today's
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["filters", "faults", "list"])]
+    check: Option<PathBuf>,
     /// List the faults and what each does, and try none
     #[arg(long)]
     list: bool,
@@ -51,9 +55,10 @@ struct Cli {
 }
 
 const AFTER_HELP: &str = "\
-A fault is killed if a fixture fails with it. With every fixture and every fault, at least two
+A fault is noticed if a fixture fails with it; the table says reached for fixtures that need its
+place, and killed for those that notice. With every fixture and every fault, at least two
 fixtures must notice each, one of them by an expectation or a relation and not by its golden alone;
-and no fewer than golden/faults.txt says.
+and no other number than golden/faults.txt says.
 Exit codes: 0 all noticed, 1 one is not, or by fewer, 2 could not ask.";
 
 fn main() -> ExitCode {
@@ -91,7 +96,15 @@ fn run(cli: &Cli) -> Result<Answer, CannotAsk> {
         write_floor(&suite, &matrix.kills())?;
     }
     let is_whole = cli.filters.is_empty() && cli.faults.is_empty();
-    answer(&suite, &matrix, is_whole)
+    let answer = answer(&suite, &matrix, is_whole)?;
+    Ok(match &cli.check {
+        Some(page) if !is_todays(page, &matrix)? => {
+            let page = page.display();
+            println!("{page} is not today's: cargo xtask faults --markdown {page}");
+            Answer::No
+        }
+        _ => answer,
+    })
 }
 
 /// Whether everything is noticed that should be; says what is not.
@@ -108,9 +121,18 @@ fn answer(suite: &Suite, matrix: &Matrix, is_whole: bool) -> Result<Answer, Cann
         println!("{fall}");
     }
     if falls.iter().any(|fall| !matches!(fall, Fall::TooFew { .. })) {
-        println!("if meant: cargo xtask faults --write");
+        println!("if meant: cargo xtask faults --write --markdown docs/faults.md");
     }
     Ok(if falls.is_empty() { Answer::Yes } else { Answer::No })
+}
+
+/// Whether this is the page of today.
+fn is_todays(page: &Path, matrix: &Matrix) -> Result<bool, CannotAsk> {
+    /// Far above the page of any number of faults.
+    const MAX_BYTES: u64 = 1 << 24;
+    let found = store::read(page, MAX_BYTES)?;
+    let found = found.ok_or_else(|| CannotAsk::file(page, "there is no such file"))?;
+    Ok(found == markdown(matrix).into_bytes())
 }
 
 /// The faults that are asked for; all if none is.

@@ -89,7 +89,14 @@ fn apply(here: &Here, suite: &Suite, file: &Path) -> Result<Answer, CannotAsk> {
     let proposals = propose_again(suite, &plan, &|name| progress.advance(name));
     progress.finish();
     match proposals {
-        Ok(proposals) => Ok(say(here, suite, commit(suite, proposals))),
+        Ok(proposals) => {
+            let answer = say(here, suite, commit(suite, proposals));
+            let refused: Vec<_> = plan.refused.iter().map(|refusal| &*refusal.name).collect();
+            if !refused.is_empty() {
+                println!("not written, as the plan refuses them: {}", refused.join(", "));
+            }
+            Ok(answer)
+        }
         Err(PlanError::Moved(moved)) => Ok(say(here, suite, Err(moved))),
         Err(error) => Err(in_file(error)),
     }
@@ -102,7 +109,10 @@ fn say(here: &Here, suite: &Suite, all: Result<Vec<(String, Blessed)>, Vec<Moved
             for moved in &moved {
                 println!("moved     {moved}");
             }
-            println!("nothing is written: what was looked at is not what there is");
+            println!(
+                "nothing is written: what was looked at is not what there is; look again: cargo \
+                 xtask bless --plan FILE"
+            );
             return Answer::No;
         }
     };

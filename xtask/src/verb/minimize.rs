@@ -55,18 +55,20 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         Some(reference) => reference.render(text),
         None => Err("no other renderer was named".to_owned()),
     };
+    let progress = Progress::counting("minimizing");
     let failure = match &reference {
         Some(_) => Some(Failure::Reference(&render)),
-        None => Failure::of(&fixture),
+        None => Failure::of(&fixture, &|relation| progress.advance(relation)),
     };
     let Some(failure) = failure else {
+        progress.finish();
         println!(
             "{name} breaks no relation, so nothing of it can be said to fail without its golden: \
-             name a build that is right with --reference PROGRAM"
+             name a build that is right, such as target/release/xtask of the commit before, with \
+             --reference PROGRAM"
         );
         return Ok(Answer::No);
     };
-    let progress = Progress::counting("minimizing");
     let smallest = minimize(&fixture, &failure, &|objects, pixels| {
         progress.advance(&format!("{objects} objects, {pixels} pixels"));
     });
@@ -84,8 +86,12 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         store::write(&suite.golden_path(&out), &png)?;
     }
     let (width, height) = smallest.file.image;
+    let golden = match &smallest.expected {
+        Some(_) => format!(", and golden/{out}.png as the other program has it"),
+        None => String::new(),
+    };
     println!(
-        "wrote {}: {width} x {height} pixels after {} tries; it fails by this: {}",
+        "wrote {}{golden}: {width} x {height} pixels after {} tries; it fails by this: {}",
         Suite::fixture_label(&out),
         smallest.tries,
         smallest.why
@@ -124,11 +130,15 @@ impl Reference {
             .output()
             .map_err(|error| format!("{}: {error}", self.program.display()))?;
         if !said.status.success() {
-            return Err(format!("{} {}", self.program.display(), said.status));
+            let why = String::from_utf8_lossy(&said.stderr);
+            return Err(format!("{}: {}: {}", self.program.display(), said.status, why.trim()));
         }
         match find_golden(&picture) {
             Found::Golden(golden) => Ok(golden.picture),
-            Found::Nothing => Err("made no picture".to_owned()),
+            Found::Nothing => Err(format!(
+                "{} render SCENE --out PICTURE: expected a picture, found none",
+                self.program.display()
+            )),
             Found::Unreadable(why) => Err(why),
         }
     }

@@ -19,8 +19,8 @@ pub(crate) struct Args {
     /// The picture: .png as stored in goldens, .exr linear
     #[arg(long, value_name = "FILE", required_unless_present_any = ["explain", "stats"])]
     out: Option<PathBuf>,
-    /// Add samples until every pixel's error is estimated to be at most this, in place of those
-    /// that the scene asks for
+    /// Add samples until the root mean square error of the linear picture is estimated to be at
+    /// most this, in place of those that the scene asks for
     #[arg(long, value_name = "ERROR", conflicts_with_all = ["samples", "sampler"])]
     error: Option<f64>,
     /// Take this many samples in each pixel, in place of those that the scene asks for

@@ -64,10 +64,11 @@ pub fn markdown(matrix: &Matrix) -> String {
     let fixtures = matrix.rows.iter().map(|row| row.trials.len()).max().unwrap_or(0);
     let mut page = format!(
         "# What the suite notices\n\n{} mistakes that renderers are known to make, each seeded into \
-         the tracer alone, against {fixtures} fixtures. *Needed by*: fixtures that need the place of \
-         the mistake. *Noticed by*: those that fail, of them by their golden, and by an expectation \
-         or a relation, which need none. *Weakest*: the failing fixture whose picture is nearest to \
-         its golden.\n\nWritten by `cargo xtask faults --markdown docs/faults.md`; \
+         the tracer alone, against {fixtures} fixtures. *Needed by*: fixtures whose picture asks the \
+         place where the mistake is made. *Noticed by*: those that fail, of them by their golden, \
+         and by an expectation or a relation, which need none. *Weakest*: the failing fixture whose \
+         picture is nearest to its golden; \"on paper\" where it is its golden, and only an \
+         expectation or relation fails.\n\nWritten by `cargo xtask faults --markdown docs/faults.md`; \
          [trust.md](trust.md#seeded-faults) says how.\n\n\
          | mistake | needed by | noticed by | golden | on paper | weakest |\n\
          |---|--:|--:|--:|--:|---|\n",

@@ -16,8 +16,12 @@ pub fn finding_line(finding: &Finding, path_prefix: &str) -> String {
 pub fn rule_lines(findings: &[Finding]) -> String {
     let line =
         |name: &str, asks: &str| format!("{:<18} {:>4}  {asks}\n", name, count(findings, name));
-    RULES.iter().map(|rule| line(rule.name, rule.asks)).collect()
+    let matches = line(MATCHES, MATCHES_ASKS);
+    RULES.iter().map(|rule| line(rule.name, rule.asks)).chain([matches]).collect()
 }
+
+/// What [`MATCHES`] asks.
+const MATCHES_ASKS: &str = "the fixture is a match: of one that is not, nothing else is asked";
 
 /// `{"schema":1,"rules":[...],"findings":[...]}`.
 ///
@@ -26,7 +30,7 @@ pub fn rule_lines(findings: &[Finding]) -> String {
 /// is of fixtures that no other can be asked of.
 pub fn findings_json(findings: &[Finding]) -> Value {
     let rule = |name: &str, asks: &str| json!({ "name": name, "asks": asks, "findings": count(findings, name) });
-    let matches = rule(MATCHES, "the fixture matches its golden");
+    let matches = rule(MATCHES, MATCHES_ASKS);
     let rules = RULES.iter().map(|r| rule(r.name, r.asks)).chain([matches]);
     let findings = findings.iter().map(|f| {
         json!({

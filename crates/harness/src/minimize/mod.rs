@@ -8,12 +8,15 @@
 mod less;
 mod simpler;
 
+use tracer::LinearImage;
+
 use crate::check::{Check, File};
 use crate::encode::EncodedImage;
 use crate::fixture::Fixture;
 use crate::limits::Limits;
 use crate::metric::compare;
 use crate::relation::Relation;
+use crate::report::numbers;
 use crate::suite::Suite;
 
 /// How a renderer that is right makes a picture of a fixture's text.
@@ -63,7 +66,8 @@ const MOST_TRIES: u32 = 5_000;
 impl Failure<'_> {
     /// The relation that a fixture breaks: the first of its own, else the first
     /// of those that can be asked of any scene; `None` if it keeps them all.
-    pub fn of(fixture: &Fixture) -> Option<Self> {
+    /// `on_relation` hears of each before it is asked.
+    pub fn of(fixture: &Fixture, on_relation: &dyn Fn(&str)) -> Option<Self> {
         let own = fixture.check.relations.iter();
         let all = own.chain(&[
             Relation::NoAccelerator,
@@ -73,8 +77,10 @@ impl Failure<'_> {
         ]);
         let picture = fixture.render_linear();
         let is_asked = |relation: &&Relation| relation.problems(&fixture.file).is_empty();
-        let mut broken =
-            all.filter(is_asked).filter(|relation| relation.check(fixture, &picture).is_err());
+        let mut broken = all.filter(is_asked).filter(|relation| {
+            on_relation(relation.name());
+            differs(relation, fixture, &picture).is_some()
+        });
         broken.next().cloned().map(Failure::Relation)
     }
 
@@ -84,14 +90,15 @@ impl Failure<'_> {
         let picture = now.render().ok()?;
         match self {
             Self::Relation(relation) if relation.problems(file).is_empty() => {
-                relation.check(&now, &picture.linear).err()
+                differs(relation, &now, &picture.linear)
             }
             Self::Relation(_) => None,
             Self::Reference(render) => {
                 let expected = render(&scene::write(file).ok()?).ok()?;
                 let comparison = compare(&expected, &picture.encoded)?;
                 let broken = Limits::broken_by(fixture.check.limits.as_ref(), &comparison);
-                (!broken.is_empty()).then(|| broken.join("; "))
+                let words = || format!("{}; {}", broken.join("; "), numbers(&comparison));
+                (!broken.is_empty()).then(words)
             }
         }
     }
@@ -105,6 +112,12 @@ impl Failure<'_> {
         };
         Check { limits: whole.limits.clone(), relations, ..Check::default() }
     }
+}
+
+/// How a picture is known to break a relation.
+fn differs(relation: &Relation, fixture: &Fixture, picture: &LinearImage) -> Option<String> {
+    let broken = relation.check(fixture, picture).err()?;
+    broken.differs().then(|| broken.to_string())
 }
 
 /// The smallest scene that fails as the fixture does; `None` if it does not fail.
@@ -142,7 +155,8 @@ pub fn minimize(
         Failure::Relation(_) => None,
         Failure::Reference(render) => scene::write(&best).and_then(|text| render(&text)).ok(),
     };
-    let file = File { check: Some(failure.check(&fixture.check)), ..best };
+    let check = Some(failure.check(&fixture.check)).filter(|check| *check != Check::default());
+    let file = File { check, ..best };
     Ok(Some(Smallest { file, why, expected, tries }))
 }
 

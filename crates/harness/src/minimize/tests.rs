@@ -90,8 +90,31 @@ fn a_shadow_that_is_missing_keeps_what_casts_it_and_what_it_falls_on() {
 fn what_does_not_fail_has_no_smallest() {
     let right = renderer(|_| ());
     assert_eq!(minimize(&fixture(), &Failure::Reference(&right), &|_, _| ()), Ok(None));
-    assert!(Failure::of(&fixture()).is_none());
+    assert!(Failure::of(&fixture(), &|_| ()).is_none());
     let broken = |_: &str| Err("no such renderer".to_owned());
     let found = minimize(&fixture(), &Failure::Reference(&broken), &|_, _| ());
     assert_eq!(found, Err("no such renderer".to_owned()));
+}
+
+#[test]
+fn a_broken_relation_stays_broken_in_the_same_way() {
+    // Two triangles at the very same distance: which is seen follows the order.
+    const TIE: &str = r#"(
+        version: 1, image: (32, 24), camera: Parallel(view_point: (0, 0, 5), view_width: 8),
+        objects: [
+            Box(min: (-4, -1, -1), max: (-3, 1, 1), material: Constant(color: (0, 1, 0))),
+            Triangle(a: (0, 0, 0), b: (2, 0, 0), c: (0, 0.5, 0), material: Constant(color: (1, 0, 0))),
+            Triangle(a: (0, 0, 0), b: (2, 0, 0), c: (0, 0.5, 0), material: Constant(color: (0, 0, 1))),
+        ],
+        check: (relations: [Threads, PermuteObjects()]),
+    )"#;
+    let fixture = Fixture::read("tie", TIE, &NoAssets, Build::Bvh).unwrap();
+    let failure = Failure::of(&fixture, &|_| ()).unwrap();
+    let smallest = minimize(&fixture, &failure, &|_, _| ()).unwrap().unwrap();
+    assert!(smallest.why.contains("PermuteObjects()") && smallest.why.contains("differ"));
+    assert_eq!(less::count(&smallest.file.objects), 2, "{:?}", smallest.file.objects);
+    // One color says nothing, which is no failure to be made small.
+    let flat = "(version: 1, image: (8, 8), camera: Parallel(view_point: (0, 0, 5)))";
+    let flat = Fixture::read("flat", flat, &NoAssets, Build::Bvh).unwrap();
+    assert!(Failure::of(&flat, &|_| ()).is_none());
 }

@@ -2,7 +2,7 @@
 
 use tracer::{LinearImage, Rgb, Size};
 
-use super::Problem;
+use super::{Broken, Problem};
 
 /// The largest `within`: far above what roundings add up to, far below what is
 /// seen.
@@ -58,11 +58,12 @@ impl Alike {
     ///
     /// # Errors
     /// The first pixel that is off, and how many are.
-    pub(super) fn compare(self, expected: &LinearImage, found: &LinearImage) -> Result<(), String> {
+    pub(super) fn compare(self, expected: &LinearImage, found: &LinearImage) -> Result<(), Broken> {
         let Size { width, height } = expected.size();
         if found.size() != expected.size() {
             let Size { width: w, height: h } = found.size();
-            return Err(format!("expected a picture of {width} x {height}, found {w} x {h}"));
+            let why = format!("expected a picture of {width} x {height}, found {w} x {h}");
+            return Err(Broken::Differs(why));
         }
         let allowed = self.within * brightest(expected);
         let pairs = expected.pixels().iter().zip(found.pixels()).enumerate();
@@ -76,13 +77,13 @@ impl Alike {
             0 => String::new(),
             n => format!(", {n} may"),
         };
-        Err(format!(
+        Err(Broken::Differs(format!(
             "pixel ({x}, {y}): expected {:?}, found {:?}; {} of {} pixels differ{may}",
             a.channels(),
             b.channels(),
             off.len(),
             expected.pixels().len()
-        ))
+        )))
     }
 }
 
@@ -90,12 +91,12 @@ impl Alike {
 ///
 /// # Errors
 /// That it has not.
-fn says_something(picture: &LinearImage) -> Result<(), String> {
+fn says_something(picture: &LinearImage) -> Result<(), Broken> {
     let mut pairs = picture.pixels().windows(2);
     if pairs.any(|pair| pair[0] != pair[1]) {
         return Ok(());
     }
-    Err("expected two colors or more to compare, found one".to_owned())
+    Err(Broken::Undecided("expected two colors or more to compare, found one".to_owned()))
 }
 
 /// Whether every channel has the same bits, or is no farther off than
@@ -132,7 +133,7 @@ mod tests {
     fn check(alike: (f64, u32), off: (usize, f64), expected: Result<(), &str>) {
         let alike = Alike { within: alike.0, edge_pixels: alike.1 };
         let found = alike.compare(&picture(0, 0.0), &picture(off.0, off.1));
-        assert_eq!(found.as_ref().map_err(String::as_str).copied(), expected);
+        assert_eq!(found.map_err(|broken| broken.to_string()), expected.map_err(str::to_owned));
     }
 
     #[test]
@@ -171,14 +172,16 @@ mod tests {
             let value = if (x, y) == (7, 3) { 1.0 } else { 0.5 };
             if (x, y) == (19, 9) { Rgb::BLACK } else { Rgb::WHITE * value }
         });
-        let said = Alike::BITS.compare(&picture(0, 0.0), &spot).unwrap_err();
+        let said = Alike::BITS.compare(&picture(0, 0.0), &spot).unwrap_err().to_string();
         assert!(said.starts_with("pixel (7, 3): expected [0.5, "), "{said}");
         let other = LinearImage::from_fn(Size { width: 10, height: 20 }, |_, _| Rgb::BLACK);
         let said = Alike::BITS.compare(&other, &spot).unwrap_err();
-        assert_eq!(said, "expected a picture of 10 x 20, found 20 x 10");
+        let size = "expected a picture of 10 x 20, found 20 x 10".to_owned();
+        assert_eq!(said, Broken::Differs(size));
         let flat = LinearImage::from_fn(SIZE, |_, _| Rgb::WHITE);
         let said = Alike::BITS.compare(&flat, &flat).unwrap_err();
-        assert_eq!(said, "expected two colors or more to compare, found one");
+        let color = "expected two colors or more to compare, found one".to_owned();
+        assert_eq!(said, Broken::Undecided(color));
     }
 
     #[test]

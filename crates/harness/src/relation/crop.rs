@@ -6,7 +6,7 @@ use tracer::{LinearImage, Size};
 
 use super::alike::few_roundings;
 use super::window::Window;
-use super::{Alike, Problem, Relate, Today, problem_if, problem_in, problem_of_error};
+use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_in, problem_of_error};
 use crate::check::File;
 
 /// A camera whose window is a part of the fixture's sees the pixels of that
@@ -56,7 +56,7 @@ impl Relate for Crop {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let file = &today.fixture.file;
         let window = Window::of(&file.camera, file.image).part(self.at, self.size, file.image);
         let part = File { camera: window.camera(), image: self.size, ..file.clone() };

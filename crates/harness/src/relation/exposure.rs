@@ -5,7 +5,9 @@ use serde::{Deserialize, Serialize};
 use tracer::LinearImage;
 
 use super::alike::few_roundings;
-use super::{Alike, Problem, Relate, Today, problem_if, problem_in, problem_of_error, shown};
+use super::{
+    Alike, Broken, Problem, Relate, Today, problem_if, problem_in, problem_of_error, shown,
+};
 use crate::check::File;
 
 /// Every pixel is `by` times as bright when the exposure is, the background
@@ -44,7 +46,7 @@ impl Relate for Exposure {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let file = &today.fixture.file;
         let exposed = File { exposure: self.by * file.exposure, ..file.clone() };
         let found = today.fixture.render_related(&exposed)?;

@@ -7,7 +7,7 @@ use tracer::glam::{DAffine3, DMat3, DVec3};
 
 use super::alike::few_roundings;
 use super::split_boxes::{is_thick, triangles};
-use super::{Alike, Problem, Relate, Today, problem_if, problem_of_error};
+use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_of_error};
 use crate::check::File;
 
 /// The picture stays when shapes are taken out of their groups and put where
@@ -58,7 +58,7 @@ impl Relate for FlattenGroups {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let found = today.fixture.render_related(&Self::related(&today.fixture.file).0)?;
         self.alike().compare(today.picture, &found)
     }

@@ -2,7 +2,7 @@
 
 use scene::format::Object;
 
-use super::{Problem, Relate, Today, objects, problem_if};
+use super::{Broken, Problem, Relate, Today, objects, problem_if};
 use crate::check::File;
 
 /// The picture has the very same bits when every surface is in a group of its
@@ -29,7 +29,7 @@ impl Relate for IdentityGroup {
         problem_if(file.objects.is_empty(), "expected an object, found none")
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let found = today.fixture.render_related(&Self::related(&today.fixture.file))?;
         self.alike().compare(today.picture, &found)
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::{Axis, Motion};
-use super::{Alike, Problem, Relate, Today, problem_if};
+use super::{Alike, Broken, Problem, Relate, Today, problem_if};
 use crate::check::File;
 
 /// The picture is mirrored, left to right, when everything is mirrored across a
@@ -43,7 +43,7 @@ impl Relate for Mirror {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         today.moves(Motion::mirror(self.axis), self.alike())
     }
 }

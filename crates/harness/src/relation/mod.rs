@@ -11,6 +11,7 @@
 //! To add one: write its file, add its line to `relations!` below.
 
 mod alike;
+mod broken;
 mod crop;
 mod exposure;
 mod flatten_groups;
@@ -31,6 +32,7 @@ mod translate;
 mod window;
 
 pub use alike::{LOOSEST, MOST_EDGES};
+pub use broken::Broken;
 pub use crop::Crop;
 pub use exposure::Exposure;
 pub use flatten_groups::FlattenGroups;
@@ -65,7 +67,7 @@ struct Today<'a> {
 
 impl Today<'_> {
     /// Whether the picture of the scene, moved, is this one, moved.
-    fn moves(&self, motion: Motion, alike: Alike) -> Result<(), String> {
+    fn moves(&self, motion: Motion, alike: Alike) -> Result<(), Broken> {
         let file = &self.fixture.file;
         let found = self.fixture.render_related(&motion.file(file))?;
         alike.compare(&motion.picture(file, self.picture), &found)
@@ -89,7 +91,7 @@ trait Relate {
     ///
     /// # Errors
     /// Where it is not, or why there is no related picture.
-    fn holds(&self, today: &Today<'_>) -> Result<(), String>;
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken>;
 }
 
 /// Makes the enum of all relations and its dispatch from two lists.
@@ -180,10 +182,10 @@ impl Relation {
     ///
     /// # Errors
     /// The relation and what was expected and found, in one sentence.
-    pub fn check(&self, fixture: &Fixture, picture: &LinearImage) -> Result<(), String> {
+    pub fn check(&self, fixture: &Fixture, picture: &LinearImage) -> Result<(), Broken> {
         let relation = self.inner();
         let held = relation.holds(&Today { fixture, picture });
-        held.map_err(|why| format!("relation {}: {why}", relation.words()))
+        held.map_err(|broken| broken.map(|why| format!("relation {}: {why}", relation.words())))
     }
 }
 
@@ -191,7 +193,7 @@ impl Relation {
 /// renders.
 pub fn broken(fixture: &Fixture, picture: &Rendered) -> Vec<String> {
     let check = |relation: &Relation| relation.check(fixture, &picture.linear).err();
-    fixture.check.relations.iter().filter_map(check).collect()
+    fixture.check.relations.iter().filter_map(check).map(|broken| broken.to_string()).collect()
 }
 
 /// A number as it would be written in a fixture.

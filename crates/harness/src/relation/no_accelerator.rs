@@ -3,7 +3,7 @@
 use scene::format::Object;
 use tracer::accel::Build;
 
-use super::{Problem, Relate, Today, objects, problem_if};
+use super::{Broken, Problem, Relate, Today, objects, problem_if};
 use crate::check::File;
 
 /// The picture has the very same bits when every ray is held against every
@@ -26,7 +26,7 @@ impl Relate for NoAccelerator {
         problem_if(!has_several, "expected a mesh or two objects in one list, found neither")
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let found = today.fixture.render_related_by(&today.fixture.file, Build::List)?;
         self.alike().compare(today.picture, &found)
     }

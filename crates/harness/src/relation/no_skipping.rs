@@ -2,7 +2,7 @@
 
 use tracer::Skipping;
 
-use super::{Problem, Relate, Today, problem_if};
+use super::{Broken, Problem, Relate, Today, problem_if};
 use crate::check::File;
 
 /// The picture has the very same bits when every pixel sends its rays and every
@@ -18,7 +18,7 @@ impl Relate for NoSkipping {
         problem_if(file.objects.is_empty(), "expected an object, found none")
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let plan = today.fixture.plan(Skipping::Off);
         let (found, _) = today.fixture.render_counted(&plan);
         self.alike().compare(today.picture, &found)

@@ -3,7 +3,7 @@
 use scene::format::{Object, Show};
 use serde::{Deserialize, Serialize};
 
-use super::{Alike, Problem, Relate, Today, objects, problem_if};
+use super::{Alike, Broken, Problem, Relate, Today, objects, problem_if};
 use crate::check::File;
 
 /// The picture has the very same bits when the objects of every list are in the
@@ -49,7 +49,7 @@ impl Relate for PermuteObjects {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let found = today.fixture.render_related(&Self::related(&today.fixture.file))?;
         self.alike().compare(today.picture, &found)
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::{Axis, Motion};
-use super::{Alike, Problem, Relate, Today};
+use super::{Alike, Broken, Problem, Relate, Today};
 use crate::check::File;
 
 /// The picture stays when everything is turned by 90 degrees about a world
@@ -36,7 +36,7 @@ impl Relate for QuarterTurn {
         Motion::quarter_turn(self.axis).problems(file)
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         today.moves(Motion::quarter_turn(self.axis), self.alike())
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::Motion;
-use super::{Alike, Problem, Relate, Today, problem_in, shown};
+use super::{Alike, Broken, Problem, Relate, Today, problem_in, shown};
 use crate::check::File;
 
 /// The picture stays when every length is `by` times as long, and every light
@@ -41,7 +41,7 @@ impl Relate for ScaleUnits {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         today.moves(Motion::scale(self.by), self.alike())
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::window::Window;
-use super::{Alike, Problem, Relate, Today, problem_if, problem_in, shown};
+use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_in, shown};
 use crate::check::File;
 
 /// The picture stays when the window of a perspective view is `by` times as
@@ -47,7 +47,7 @@ impl Relate for ScaleWindow {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let file = &today.fixture.file;
         let camera = Window::of(&file.camera, file.image).farther(self.by).camera();
         let found = today.fixture.render_related(&File { camera, ..file.clone() })?;

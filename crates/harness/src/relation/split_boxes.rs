@@ -4,7 +4,7 @@ use scene::format::{Object, Show, Triple};
 use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
-use super::{Alike, Problem, Relate, Today, objects, problem_if, problem_of_error};
+use super::{Alike, Broken, Problem, Relate, Today, objects, problem_if, problem_of_error};
 use crate::check::File;
 
 /// The picture stays when every box is replaced by the twelve triangles of its
@@ -64,7 +64,7 @@ impl Relate for SplitBoxes {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let found = today.fixture.render_related(&Self::related(&today.fixture.file))?;
         self.alike().compare(today.picture, &found)
     }

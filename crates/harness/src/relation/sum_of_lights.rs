@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use tracer::{LinearImage, Rgb};
 
 use super::alike::few_roundings;
-use super::{Alike, Problem, Relate, Today, problem_if, problem_of_error};
+use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_of_error};
 use crate::check::File;
 
 /// The picture without lights, and what each light alone adds to it, make the
@@ -45,7 +45,7 @@ impl Relate for SumOfLights {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         let file = &today.fixture.file;
         let lit_by =
             |lights: Vec<Light>| today.fixture.render_related(&File { lights, ..file.clone() });

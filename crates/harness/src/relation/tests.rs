@@ -80,7 +80,7 @@ fn fixture(scene: &str, relation: &str) -> Fixture {
 
 /// What is said of this picture.
 fn said(fixture: &Fixture, picture: &LinearImage) -> Result<(), String> {
-    fixture.check.relations[0].check(fixture, picture)
+    fixture.check.relations[0].check(fixture, picture).map_err(|broken| broken.to_string())
 }
 
 #[track_caller]

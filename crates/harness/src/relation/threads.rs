@@ -2,7 +2,7 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::{Problem, Relate, Today, problem_if};
+use super::{Broken, Problem, Relate, Today, problem_if};
 use crate::check::File;
 
 /// The picture has the very same bits when it is made on one, two, three and
@@ -21,13 +21,13 @@ impl Relate for Threads {
         problem_if(file.image.1 < 2, "expected two rows of pixels or more to share, found one")
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         for threads in THREADS {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build();
             let pool = pool.map_err(|why| format!("there are no {threads} threads: {why}"))?;
             let found = pool.install(|| today.fixture.render_linear());
             let same = self.alike().compare(today.picture, &found);
-            same.map_err(|why| format!("{why}, on threads: {threads}"))?;
+            same.map_err(|broken| broken.map(|why| format!("{why}, on threads: {threads}")))?;
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::Motion;
-use super::{Alike, Problem, Relate, Today, problem_in, shown};
+use super::{Alike, Broken, Problem, Relate, Today, problem_in, shown};
 use crate::check::File;
 
 /// The picture stays when objects, point lights and camera are moved.
@@ -42,7 +42,7 @@ impl Relate for Translate {
         problems
     }
 
-    fn holds(&self, today: &Today<'_>) -> Result<(), String> {
+    fn holds(&self, today: &Today<'_>) -> Result<(), Broken> {
         today.moves(Motion::translation(self.by), self.alike())
     }
 }
