@@ -58,8 +58,8 @@ fn a_large_fixture_becomes_a_small_one_that_fails_alike() {
     tree.run(&["minimize", "area/many", "--reference", &other])
         .expect_code(2)
         .expect("is there already: name another with --out");
-    let out = ["minimize", "area/many", "--reference", &other, "--out", "small"];
-    tree.run(&out).expect_code(0).expect("wrote fixtures/small.ron, and");
+    let out = ["minimize", "area/many", "--reference", &other, "--out", "area/small"];
+    tree.run(&out).expect_code(0).expect("wrote fixtures/area/small.ron, and");
 }
 
 #[test]
@@ -82,6 +82,32 @@ fn what_does_not_fail_or_cannot_be_asked_says_so() {
         .expect("by hand");
     let golden = std::fs::read_dir(tree.path("golden/area")).unwrap().count();
     assert_eq!(golden, 1, "nothing was written");
+}
+
+#[test]
+fn another_renderer_is_believed_only_what_it_makes_now() {
+    let tree = many();
+    // Makes one picture, and then none without saying so.
+    let real = env!("CARGO_BIN_EXE_xtask");
+    let once = format!(
+        "#!/bin/sh\n[ -e \"$0.done\" ] && exit 0\ntouch \"$0.done\"\nsed -i s/0.5/0.9/ \"$2\"\n\
+         exec {real} \"$@\"\n"
+    );
+    let other = renderer(&tree, "s/x/x/");
+    tree.write("other", once.as_bytes());
+    std::fs::set_permissions(&other, std::fs::Permissions::from_mode(0o755)).unwrap();
+    tree.run(&["minimize", "area/many", "--reference", &other])
+        .expect_code(1)
+        .expect("area/many does not fail");
+    // A golden that is there is kept, and files are found where they are.
+    let other = renderer(&tree, "s/(1.0, 0.5, 0.2)/(0.9, 0.5, 0.2)/");
+    tree.write("golden/area/many-minimized.png", b"mine");
+    tree.run(&["minimize", "area/many", "--reference", &other])
+        .expect_code(2)
+        .expect("is there already");
+    let elsewhere = ["minimize", "area/many", "--reference", &other, "--out", "elsewhere"];
+    tree.run(&elsewhere).expect_code(2).expect("expected a name beside area/many");
+    assert!(!tree.path("fixtures/elsewhere.ron").exists());
 }
 
 #[test]

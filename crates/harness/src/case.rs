@@ -2,8 +2,8 @@
 
 use tracer::accel::Build;
 
-use crate::encode::EncodedImage;
 use crate::fixture::Fixture;
+use crate::golden::Golden;
 use crate::judge::Found;
 use crate::run::find_golden;
 use crate::suite::Suite;
@@ -15,8 +15,8 @@ pub struct Case {
     pub name: String,
     /// The fixture.
     pub fixture: Fixture,
-    /// The golden's picture.
-    pub golden: EncodedImage,
+    /// Its golden.
+    pub golden: Golden,
 }
 
 impl Case {
@@ -29,7 +29,7 @@ impl Case {
         let (label, path) = (Suite::fixture_label(name), suite.fixture_path(name));
         let fixture = Fixture::open(&label, &path, Build::default())?;
         let golden = match find_golden(&suite.golden_path(name)) {
-            Found::Golden(golden) => golden.picture,
+            Found::Golden(golden) => golden,
             Found::Nothing => return Err(format!("{label}: there is no golden")),
             Found::Unreadable(why) => return Err(format!("{label}: the golden {why}")),
         };

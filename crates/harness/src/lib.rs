@@ -10,6 +10,7 @@
 //! files. Nothing is printed, and no flag, terminal or exit code is known:
 //! that is `xtask`'s.
 
+mod apart;
 pub mod blame;
 pub mod bless;
 pub mod block;

@@ -17,24 +17,24 @@ use crate::metric::Comparison;
 pub struct Limits {
     /// The lowest SSIM accepted, below 1: of the mean **and** of the worst
     /// window, so that damage to a corner is not averaged away.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ssim: Option<f64>,
     /// The lowest SSIM accepted of the worst window, where it may be lower
     /// than that of the mean.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ssim_worst: Option<f64>,
     /// The highest FLIP accepted, above 0: of the mean **and** of the worst pixel.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flip: Option<f64>,
     /// The highest FLIP accepted of the worst pixel, where it may be higher than
     /// that of the mean.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flip_worst: Option<f64>,
     /// The largest difference accepted in any channel of any pixel, of 255.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_abs: Option<u8>,
     /// The most pixels that may differ at all.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub differing_pixels: Option<u64>,
     /// Why the picture may differ.
     pub reason: String,

@@ -18,6 +18,7 @@ use crate::hash::content_hash;
 use crate::run::read_golden;
 use crate::store::{self, FolderAssets, StoreError};
 use crate::suite::Suite;
+use crate::verdict::{Outcome, Verdict};
 
 /// The largest record that is read, in bytes: far above 10,000 fixtures.
 const MAX_RECORD_BYTES: u64 = 1 << 26;
@@ -99,6 +100,20 @@ impl Record {
         let failed =
             |error: serde_json::Error| StoreError { path: path.clone(), what: error.to_string() };
         store::write(&path, &serde_json::to_vec_pretty(&self).map_err(failed)?)
+    }
+
+    /// Forgets the matches of those that are none.
+    ///
+    /// # Errors
+    /// A record that cannot be read or written.
+    pub(crate) fn forget(suite: &Suite, outcomes: &[Outcome]) -> Result<(), StoreError> {
+        let is_other = |outcome: &&Outcome| outcome.verdict != Verdict::Match;
+        let others = outcomes.iter().filter(is_other).map(|outcome| (outcome.name.clone(), None));
+        let others: BTreeMap<_, _> = others.collect();
+        if others.is_empty() || !store::is_file(&suite.record_path()) {
+            return Ok(());
+        }
+        Self::read(suite)?.store(suite, others)
     }
 
     /// Throws the stored record away.

@@ -13,6 +13,7 @@ use crate::golden;
 use crate::hash::content_hash;
 use crate::judge::{Found, Judgment, judge};
 use crate::picture::strip;
+use crate::record::Record;
 use crate::relation;
 use crate::store::{self, StoreError};
 use crate::suite::{Selection, Suite};
@@ -45,6 +46,9 @@ pub fn run(
         selection.fixtures.par_iter().map(judge_one).collect::<Result<_, StoreError>>()?;
     outcomes.extend(orphans(selection).into_iter().inspect(on_outcome));
     outcomes.sort_by(|a, b| a.name.cmp(&b.name));
+    // What was just seen to be no match is not to be taken for one by the next
+    // check; a record that cannot be changed is reported by who reads it.
+    let _ = Record::forget(suite, &outcomes);
     Ok(outcomes)
 }
 

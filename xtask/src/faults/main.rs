@@ -11,7 +11,9 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use harness::faults::{Fall, Fault, Matrix};
-use harness::faults::{falls, json, markdown, read_floor, text, try_fault, write_floor};
+use harness::faults::{
+    falls, json, markdown, not_matching, read_floor, text, try_fault, write_floor,
+};
 use harness::filter;
 use harness::store;
 use harness::suite::Suite;
@@ -35,7 +37,7 @@ struct Cli {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Also write the matrix to this file as a page
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["filters", "faults", "list"])]
     markdown: Option<PathBuf>,
     /// Hold the page in this file against today's
     #[arg(long, value_name = "FILE", conflicts_with_all = ["filters", "faults", "list"])]
@@ -77,12 +79,25 @@ fn run(cli: &Cli) -> Result<Answer, CannotAsk> {
     }
     let here = Here { root: cli.root.clone() };
     let suite = here.suite()?;
-    let names = suite.select(&cli.filters)?.fixtures;
+    let names = Here::fixtures(&suite, &cli.filters)?;
     if let Some(name) = &cli.trial {
         return trial(&suite, &names, name);
     }
+    if cli.write && std::env::var_os("CI").is_some() {
+        let what = "faults --write: expected to run by hand, found the variable CI set";
+        return Err(CannotAsk(what.to_owned()));
+    }
     for path in cli.json.iter().chain(&cli.markdown) {
         here.may_write(path)?;
+    }
+    let others = not_matching(&suite, &names);
+    if !others.is_empty() {
+        return Err(CannotAsk(format!(
+            "expected fixtures that match without a fault, found {} that do not: {}: run `cargo \
+             xtask check` first",
+            others.len(),
+            others.join(", ")
+        )));
     }
     let matrix = trials::of_all(&suite, &names, &chosen, cli.patience)?;
     print!("{}", text(&matrix));

@@ -1,20 +1,18 @@
 //! `minimize`: a small fixture of a large one that fails.
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
-use harness::encode::EncodedImage;
 use harness::fixture::{Build, Fixture};
 use harness::golden;
-use harness::judge::Found;
 use harness::minimize::{Failure, minimize};
-use harness::run::find_golden;
-use harness::store::{self, Scratch};
+use harness::store;
 use harness::suite::{Suite, name_of};
 use harness::template::check_name;
 
 use xtask::progress::Progress;
 use xtask::{Answer, CannotAsk, Here};
+
+use super::reference::Reference;
 
 /// Flags of `minimize`.
 #[derive(Debug, clap::Args)]
@@ -41,14 +39,21 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let name = name_of(&args.name);
     let out =
         args.out.as_deref().map_or(format!("{name}-minimized"), |out| name_of(out).to_owned());
-    check_name(&out)?;
-    let path = suite.fixture_path(&out);
-    if store::is_file(&path) {
-        return Err(CannotAsk::file(&path, "is there already: name another with --out"));
+    check_name(&out).map_err(|error| CannotAsk(format!("{error}: name one with --out")))?;
+    let (path, golden_path) = (suite.fixture_path(&out), suite.golden_path(&out));
+    for path in [&path, &golden_path] {
+        if path.exists() {
+            return Err(CannotAsk::file(path, "is there already: name another with --out"));
+        }
     }
     let label = Suite::fixture_label(name);
     let fixture = Fixture::open(&label, &suite.fixture_path(name), Build::default());
     let fixture = fixture.map_err(CannotAsk)?;
+    if !fixture.assets().is_empty() && folder_of(&out) != folder_of(name) {
+        return Err(CannotAsk(format!(
+            "--out: expected a name beside {name}, whose scene names files there, found \"{out}\""
+        )));
+    }
     let reference = args.reference.as_deref().map(|program| Reference::new(program, &fixture));
     let reference = reference.transpose()?;
     let render = |text: &str| match &reference {
@@ -78,12 +83,18 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return Ok(Answer::No);
     };
     let text = smallest.text(name).map_err(CannotAsk)?;
+    // Nothing is written that could not be read again.
+    let label = Suite::fixture_label(&out);
+    let small = Fixture::read(&label, &text, fixture.assets(), Build::default());
+    let small = small.map_err(CannotAsk)?;
+    let golden = smallest
+        .expected
+        .as_ref()
+        .map(|expected| golden::smallest_png(expected, &small.provenance).map_err(CannotAsk));
+    let golden = golden.transpose()?;
     store::write_new(&path, text.as_bytes())?;
-    if let Some(expected) = &smallest.expected {
-        let label = Suite::fixture_label(&out);
-        let small = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
-        let png = golden::smallest_png(expected, &small.provenance).map_err(CannotAsk)?;
-        store::write(&suite.golden_path(&out), &png)?;
+    if let Some(png) = golden {
+        store::write_new(&golden_path, &png)?;
     }
     let (width, height) = smallest.file.image;
     let golden = match &smallest.expected {
@@ -99,47 +110,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     Ok(Answer::Yes)
 }
 
-/// Another build of this program.
-struct Reference {
-    program: PathBuf,
-    /// Where a scene is put, with its assets.
-    folder: Scratch,
-}
-
-impl Reference {
-    fn new(program: &Path, fixture: &Fixture) -> Result<Self, CannotAsk> {
-        if !store::is_file(program) {
-            return Err(CannotAsk::file(program, "expected a program, found no such file"));
-        }
-        let folder = Scratch::new()?;
-        for (name, bytes) in fixture.assets() {
-            store::write(&folder.path(name), bytes)?;
-        }
-        Ok(Self { program: std::path::absolute(program)?, folder })
-    }
-
-    /// The picture of a scene.
-    fn render(&self, text: &str) -> Result<EncodedImage, String> {
-        let (scene, picture) = (self.folder.path("scene.ron"), self.folder.path("picture.png"));
-        store::write(&scene, text.as_bytes()).map_err(|error| error.to_string())?;
-        let said = Command::new(&self.program)
-            .arg("render")
-            .arg(&scene)
-            .arg("--out")
-            .arg(&picture)
-            .output()
-            .map_err(|error| format!("{}: {error}", self.program.display()))?;
-        if !said.status.success() {
-            let why = String::from_utf8_lossy(&said.stderr);
-            return Err(format!("{}: {}: {}", self.program.display(), said.status, why.trim()));
-        }
-        match find_golden(&picture) {
-            Found::Golden(golden) => Ok(golden.picture),
-            Found::Nothing => Err(format!(
-                "{} render SCENE --out PICTURE: expected a picture, found none",
-                self.program.display()
-            )),
-            Found::Unreadable(why) => Err(why),
-        }
-    }
+/// The folder that a name is in.
+fn folder_of(name: &str) -> &str {
+    name.rsplit_once('/').map_or("", |(folder, _)| folder)
 }

@@ -13,5 +13,6 @@ pub(crate) mod list;
 pub(crate) mod meshes;
 pub(crate) mod minimize;
 pub(crate) mod new;
+pub(crate) mod reference;
 pub(crate) mod render;
 pub(crate) mod sensitivity;

@@ -1,5 +1,6 @@
 //! `Way`: one way of making a picture, none of which may change it.
 
+use crate::apart::apart;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tracer::Instructions;
 use tracer::accel::Build;
@@ -63,7 +64,7 @@ impl Ways {
     pub fn install<T: Send>(&self, way: &Way, work: impl FnOnce() -> T + Send) -> T {
         let pool = self.pools.iter().find(|pool| pool.current_num_threads() == way.threads);
         match pool {
-            Some(pool) => pool.install(work),
+            Some(pool) => apart(|| pool.install(work)),
             None => work(),
         }
     }

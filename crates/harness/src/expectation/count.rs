@@ -45,7 +45,7 @@ impl Expect for Count {
         Vec::new()
     }
 
-    fn problems(&self) -> Vec<(&'static str, String)> {
+    fn problems(&self, _: (u32, u32)) -> Vec<(&'static str, String)> {
         // An allowance of half the pixels would accept nearly any picture.
         if self.within == 0 || self.within < self.pixels.div_ceil(2) {
             return Vec::new();

@@ -40,4 +40,16 @@ impl Expect for Mirror {
     fn pixels(&self) -> Vec<(&'static str, At)> {
         Vec::new()
     }
+
+    fn problems(&self, (width, height): (u32, u32)) -> Vec<(&'static str, String)> {
+        let (pixels, way) = match self {
+            Self::LeftRight => (width, "wide"),
+            Self::TopBottom => (height, "high"),
+        };
+        if pixels > 1 {
+            return Vec::new();
+        }
+        let message = format!("`{self:?}`: expected a picture more than one pixel {way}");
+        vec![("", message)]
+    }
 }

@@ -36,7 +36,7 @@ impl Expect for Radiance {
         vec![("at", self.at)]
     }
 
-    fn problems(&self) -> Vec<(&'static str, String)> {
+    fn problems(&self, _: (u32, u32)) -> Vec<(&'static str, String)> {
         let mut problems = tolerance_problem(self.within);
         let (r, g, b) = self.rgb;
         if ![r, g, b].iter().all(|c| c.is_finite()) {

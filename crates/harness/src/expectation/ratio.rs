@@ -41,7 +41,7 @@ impl Expect for Ratio {
         vec![("of", self.of), ("to", self.to)]
     }
 
-    fn problems(&self) -> Vec<(&'static str, String)> {
+    fn problems(&self, _: (u32, u32)) -> Vec<(&'static str, String)> {
         let mut problems = tolerance_problem(self.within);
         if !(self.is.is_finite() && self.is > 0.0) {
             problems.push(("is", format!("`is`: expected a number above 0, found {}", self.is)));

@@ -56,6 +56,26 @@ fn counts() {
 }
 
 #[test]
+fn of_black_only_roundings_are_close() {
+    let dark = |within| {
+        let picture = Rendered {
+            linear: LinearImage::from_fn(Size { width: 3, height: 2 }, |_, _| Rgb::WHITE * 0.05),
+            ..rendered()
+        };
+        Expectation::Radiance(Radiance { at: (1, 0), rgb: (0.0, 0.0, 0.0), within }).check(&picture)
+    };
+    assert!(dark(0.1).is_err() && dark(1e-12).is_err());
+}
+
+#[test]
+fn a_line_of_one_pixel_is_its_own_mirror_image() {
+    let fields = |mirror, image| Expectation::Mirror(mirror).problems(image).len();
+    assert_eq!(fields(Mirror::LeftRight, (1, 9)), 1);
+    assert_eq!(fields(Mirror::TopBottom, (9, 1)), 1);
+    assert_eq!(fields(Mirror::LeftRight, (2, 1)), 0);
+}
+
+#[test]
 fn mirrors() {
     let mut picture = rendered();
     let mirror = Expectation::Mirror(Mirror::LeftRight);

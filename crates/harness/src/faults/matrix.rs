@@ -49,7 +49,8 @@ impl Row {
     /// Those that failed, with why.
     pub fn kills(&self) -> impl Iterator<Item = (&str, &Evidence)> {
         self.trials.iter().filter_map(|trial| match &trial.fate {
-            Fate::Killed(evidence) => Some((trial.fixture.as_str(), evidence)),
+            // One that does not need the place of the fault has not noticed it.
+            Fate::Killed(evidence) if trial.reached => Some((trial.fixture.as_str(), evidence)),
             _ => None,
         })
     }
@@ -121,6 +122,7 @@ pub(super) mod tests {
         check(vec![trial("b", 0, 1)], Status::Killed);
         check(vec![refused.clone(), trial("b", 0, 0)], Status::Crashed);
         check(vec![refused, trial("b", 3, 0)], Status::Killed);
+        check(vec![Trial { reached: false, ..trial("b", 3, 1) }], Status::NotApplied);
     }
 
     #[test]

@@ -18,6 +18,6 @@ pub use floor::{FLOOR, Fall, Floor, Kills, falls, read_floor, write_floor};
 pub use matrix::{Matrix, Row, Status};
 pub use report::{json, markdown, text};
 pub use tracer::fault::Fault;
-#[cfg(feature = "faults")]
-pub use trial::try_fault;
 pub use trial::{Evidence, Fate, Trial};
+#[cfg(feature = "faults")]
+pub use trial::{not_matching, try_fault};

@@ -45,6 +45,19 @@ pub struct Evidence {
     pub ssim_min: f64,
 }
 
+/// Those of the fixtures that are no match without any fault, so that they can
+/// say nothing of one.
+#[cfg(feature = "faults")]
+pub fn not_matching(suite: &crate::suite::Suite, names: &[String]) -> Vec<String> {
+    use rayon::prelude::*;
+
+    tracer::fault::seed(None);
+    let is_match = |name: &&String| {
+        crate::run::judge_fixture(suite, name).judgment.verdict == crate::verdict::Verdict::Match
+    };
+    names.par_iter().filter(|name| !is_match(name)).cloned().collect()
+}
+
 /// Renders and judges these fixtures with a fault, one after the other;
 /// `on_each` hears of each as it is done. The fault is on for the whole process,
 /// and off again in the end.

@@ -30,13 +30,16 @@ fn find(case: &Case, around: &Around<'_>) -> Vec<Finding> {
 fn passes(case: &Case, other: &Case) -> bool {
     let limits = case.fixture.check.limits.as_ref();
     // In its own size, whatever the limits.
-    case.golden.size() == other.golden.size() && !is_caught(limits, &case.golden, &other.golden)
+    case.golden.picture.size() == other.golden.picture.size()
+        && !is_caught(limits, &case.golden.picture, &other.golden.picture)
 }
 
 /// Whether two identical goldens are a finding of the other fixture, so that
 /// they are told once.
 fn is_said_there(case: &Case, other: &Case, around: &Around<'_>) -> bool {
-    case.golden == other.golden && other.name < case.name && around.asked.contains(&other.name)
+    case.golden.picture == other.golden.picture
+        && other.name < case.name
+        && around.asked.contains(&other.name)
 }
 
 fn passing_finding(case: &Case, other: &Case) -> Finding {
@@ -45,7 +48,7 @@ fn passing_finding(case: &Case, other: &Case) -> Finding {
         "change one of the scenes so that they differ, or say why not: check: (same_as: \
          {{\"{name}\": \"...\"}})"
     );
-    if case.golden == other.golden {
+    if case.golden.picture == other.golden.picture {
         let message = format!("expected a picture of its own, found that of {name}");
         return finding(case, &RULE, &[], message, help);
     }

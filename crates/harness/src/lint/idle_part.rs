@@ -47,7 +47,7 @@ fn is_idle(case: &Case, part: &Part) -> bool {
     };
     let Ok(picture) = fixture.render() else { return false };
     let limits = fixture.check.limits.as_ref();
-    !is_caught(limits, &case.golden, &picture.encoded)
+    !is_caught(limits, &case.golden.picture, &picture.encoded)
         && broken_expectations(&fixture, &picture).is_empty()
 }
 

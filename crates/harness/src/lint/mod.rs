@@ -16,9 +16,10 @@ use scene::Step;
 
 use crate::calibrate::Ways;
 use crate::case::Case;
-use crate::judge::{broken_expectations, is_caught};
+use crate::judge::{Found, judge};
 use crate::sensitivity::Visible;
 use crate::suite::Suite;
+use crate::verdict::Verdict;
 
 pub use part::{Part, parts, without};
 pub use text::{finding_line, findings_json, rule_lines};
@@ -103,16 +104,14 @@ pub fn lint(
 }
 
 fn of_case(case: &Case, around: &Around<'_>) -> Vec<Finding> {
-    let check = &case.fixture.check;
-    let matches = case.fixture.render().is_ok_and(|picture| {
-        !is_caught(check.limits.as_ref(), &case.golden, &picture.encoded)
-            && broken_expectations(&case.fixture, &picture).is_empty()
+    let verdict = case.fixture.render().map(|picture| {
+        // Relations, which take several pictures, are `check`'s.
+        judge(&case.fixture, &picture, &Found::Golden(case.golden.clone())).verdict
     });
-    if !matches {
-        return vec![does_not_match(
-            &case.name,
-            "its picture is not its golden's or not as expected",
-        )];
+    match verdict {
+        Ok(Verdict::Match) => {}
+        Ok(verdict) => return vec![does_not_match(&case.name, &verdict.words())],
+        Err(why) => return vec![does_not_match(&case.name, &why)],
     }
     let mut found: Vec<_> = RULES.iter().flat_map(|rule| (rule.find)(case, around)).collect();
     // Stable: of one line in the order of the rules.

@@ -10,7 +10,7 @@ pub(super) const RULE: Rule =
 fn find(case: &Case, around: &Around<'_>) -> Vec<Finding> {
     let limits = case.fixture.check.limits.as_ref();
     let one = |defect| {
-        let miss = missed(defect, limits, &case.golden, around.visible)?;
+        let miss = missed(defect, limits, &case.golden.picture, around.visible)?;
         let seen = with_unit(around.visible.strength(defect), defect.unit);
         let found = with_unit(miss.strength, defect.unit);
         let message = format!(

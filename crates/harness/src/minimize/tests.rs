@@ -99,7 +99,7 @@ fn what_does_not_fail_has_no_smallest() {
 #[test]
 fn a_broken_relation_stays_broken_in_the_same_way() {
     // Two triangles at the very same distance: which is seen follows the order.
-    const TIE: &str = r#"(
+    const TIE: &str = r"(
         version: 1, image: (32, 24), camera: Parallel(view_point: (0, 0, 5), view_width: 8),
         objects: [
             Box(min: (-4, -1, -1), max: (-3, 1, 1), material: Constant(color: (0, 1, 0))),
@@ -107,7 +107,7 @@ fn a_broken_relation_stays_broken_in_the_same_way() {
             Triangle(a: (0, 0, 0), b: (2, 0, 0), c: (0, 0.5, 0), material: Constant(color: (0, 0, 1))),
         ],
         check: (relations: [Threads, PermuteObjects()]),
-    )"#;
+    )";
     let fixture = Fixture::read("tie", TIE, &NoAssets, Build::Bvh).unwrap();
     let failure = Failure::of(&fixture, &|_| ()).unwrap();
     let smallest = minimize(&fixture, &failure, &|_, _| ()).unwrap().unwrap();

@@ -15,8 +15,8 @@ pub const MOST_EDGES: f64 = 1.0 / 200.0;
 /// How alike the pictures must be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Alike {
-    /// How far each channel may be off, relative to the brightest of the
-    /// picture; 0 means the very same bits.
+    /// How far each channel may be off, relative to itself or to the brightest of
+    /// the picture, up to white; 0 means the very same bits.
     pub(super) within: f64,
     /// How many pixels may be off by more: samples beside a silhouette that
     /// rounding moves to its other side.
@@ -65,12 +65,14 @@ impl Alike {
             let why = format!("expected a picture of {width} x {height}, found {w} x {h}");
             return Err(Broken::Differs(why));
         }
-        let allowed = self.within * brightest(expected);
+        let scale = brightest(expected).min(WHITE);
         let pairs = expected.pixels().iter().zip(found.pixels()).enumerate();
-        let off: Vec<_> = pairs.filter(|(_, (a, b))| !is_close(**a, **b, allowed)).collect();
+        let off: Vec<_> =
+            pairs.filter(|(_, (a, b))| !is_close(**a, **b, (self.within, scale))).collect();
         let Some(&(first, (a, b))) = off.first().filter(|_| off.len() > self.edge_pixels as usize)
         else {
-            return says_something(expected);
+            says_something(expected)?;
+            return self.leaves_something(expected);
         };
         let (x, y) = (first % width as usize, first / width as usize);
         let may = match self.edge_pixels {
@@ -87,6 +89,37 @@ impl Alike {
     }
 }
 
+impl Alike {
+    /// Nothing where the picture shows far more than the pixels that may be off.
+    ///
+    /// # Errors
+    /// That it does not.
+    fn leaves_something(self, picture: &LinearImage) -> Result<(), Broken> {
+        /// How many pixels must show something for each that may be off.
+        const TIMES: usize = 10;
+        let least = TIMES * self.edge_pixels as usize;
+        if least == 0 {
+            return Ok(());
+        }
+        let mut colors: Vec<_> =
+            picture.pixels().iter().map(|pixel| pixel.channels().map(f64::to_bits)).collect();
+        colors.sort_unstable();
+        let commonest = colors.chunk_by(|a, b| a == b).map(<[_]>::len).max().unwrap_or(0);
+        let shown = colors.len() - commonest;
+        if shown >= least {
+            return Ok(());
+        }
+        Err(Broken::Undecided(format!(
+            "expected {least} pixels or more that are not of the commonest color, as {} may be \
+             off, found {shown}",
+            self.edge_pixels
+        )))
+    }
+}
+
+/// What is shown as white: brighter pixels do not make darker ones matter less.
+const WHITE: f64 = 1.0;
+
 /// Nothing where the picture has two colors or more.
 ///
 /// # Errors
@@ -99,13 +132,13 @@ fn says_something(picture: &LinearImage) -> Result<(), Broken> {
     Err(Broken::Undecided("expected two colors or more to compare, found one".to_owned()))
 }
 
-/// Whether every channel has the same bits, or is no farther off than
-/// `allowed`, if anything is. A NaN is close to its own bits only.
-fn is_close(a: Rgb, b: Rgb, allowed: f64) -> bool {
-    a.channels()
-        .into_iter()
-        .zip(b.channels())
-        .all(|(a, b)| a.to_bits() == b.to_bits() || (allowed > 0.0 && (a - b).abs() <= allowed))
+/// Whether every channel has the same bits, or is no farther off than `within`
+/// of itself, or of `scale` if that is more, if it may be. A NaN is close to its
+/// own bits only.
+fn is_close(a: Rgb, b: Rgb, (within, scale): (f64, f64)) -> bool {
+    let is_near = |a: f64, b: f64| (a - b).abs() <= within * scale.max(a.abs());
+    let mut channels = a.channels().into_iter().zip(b.channels());
+    channels.all(|(a, b)| a.to_bits() == b.to_bits() || (within > 0.0 && is_near(a, b)))
 }
 
 /// The largest size of any channel.
@@ -120,12 +153,12 @@ mod tests {
 
     const SIZE: Size = Size { width: 20, height: 10 };
 
-    /// A gray picture whose last pixel is black and whose first `off` are lighter
+    /// A gray picture whose last ten pixels are black and whose first `off` are lighter
     /// by `by`.
     fn picture(off: usize, by: f64) -> LinearImage {
         let value = |i: usize| if i < off { 0.5 + by } else { 0.5 };
         let mut pixels: Vec<_> = (0..200).map(|i| Rgb::WHITE * value(i)).collect();
-        pixels[199] = Rgb::BLACK;
+        pixels[190..].fill(Rgb::BLACK);
         LinearImage::from_pixels(SIZE, pixels).unwrap()
     }
 
@@ -164,6 +197,38 @@ mod tests {
                 .compare(&picture(0, 0.0), &picture(1, f64::NAN))
                 .is_err()
         );
+    }
+
+    #[test]
+    fn what_is_brighter_than_white_lets_nothing_else_be_off() {
+        let lit = |glare: f64, value: f64| {
+            LinearImage::from_fn(SIZE, |x, _| Rgb::WHITE * if x == 0 { glare } else { value })
+        };
+        let compare = |glare: f64, value: f64| {
+            Alike { within: 1e-6, edge_pixels: 0 }.compare(&lit(glare, 0.5), &lit(glare, value))
+        };
+        assert_eq!(compare(1e13, 0.5), Ok(()));
+        assert!(compare(1e13, 0.500_002).is_err());
+        assert!(compare(0.5, 0.500_002).is_err());
+        // The bright one itself is held to its own size.
+        let alike = Alike { within: 1e-6, edge_pixels: 0 };
+        assert_eq!(alike.compare(&lit(1e13, 0.5), &lit(1e13 + 1e6, 0.5)), Ok(()));
+        assert!(alike.compare(&lit(1e13, 0.5), &lit(1e13 + 1e8, 0.5)).is_err());
+    }
+
+    #[test]
+    fn what_is_shown_is_more_than_what_may_be_off() {
+        let ball = |pixels: u32| {
+            LinearImage::from_fn(SIZE, |x, y| {
+                Rgb::WHITE * f64::from(u8::from(y == 0 && x < pixels))
+            })
+        };
+        let compare = |pixels: u32, edge_pixels: u32| {
+            Alike { within: 1e-6, edge_pixels }.compare(&ball(pixels), &ball(pixels))
+        };
+        assert_eq!(compare(1, 0), Ok(()));
+        assert_eq!(compare(10, 1), Ok(()));
+        assert!(!compare(9, 1).unwrap_err().differs());
     }
 
     #[test]

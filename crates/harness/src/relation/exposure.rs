@@ -6,7 +6,7 @@ use tracer::LinearImage;
 
 use super::alike::few_roundings;
 use super::{
-    Alike, Broken, Problem, Relate, Today, problem_if, problem_in, problem_of_error, shown,
+    Alike, Broken, Problem, Relate, Today, problem_if, problem_of_error, problem_of_factor, shown,
 };
 use crate::check::File;
 
@@ -34,10 +34,7 @@ impl Relate for Exposure {
     }
 
     fn problems(&self, file: &File) -> Vec<Problem> {
-        let is_factor = self.by > 0.0 && self.by.is_finite() && self.by != 1.0;
-        let mut problems = problem_in("by", !is_factor, || {
-            format!("expected a number above 0 other than 1, found {}", self.by)
-        });
+        let mut problems = problem_of_factor(self.by);
         problems.extend(problem_if(
             file.show != Show::Shaded || file.exposure == 0.0,
             "expected a shaded picture with an exposure above 0, as no other is exposed",

@@ -211,6 +211,21 @@ fn problem_in(field: &'static str, is_wrong: bool, why: impl FnOnce() -> String)
     if is_wrong { vec![(Some(field), format!("`{field}`: {}", why()))] } else { Vec::new() }
 }
 
+/// A problem of a factor that changes next to nothing, or so much that digits are
+/// lost.
+fn problem_of_factor(by: f64) -> Vec<Problem> {
+    const RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+    const LEAST: f64 = 0.01;
+    let is_factor = RANGE.contains(&by) && (by - 1.0).abs() >= LEAST;
+    problem_in("by", !is_factor, || {
+        format!(
+            "expected a number from {:e} to {:e} that is not 1, but for {LEAST} or more, found {by}",
+            RANGE.start(),
+            RANGE.end()
+        )
+    })
+}
+
 /// A problem where samples follow the picture, so that another scene has others.
 fn problem_of_error(file: &File) -> Vec<Problem> {
     problem_if(

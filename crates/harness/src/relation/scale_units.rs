@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::motion::Motion;
-use super::{Alike, Broken, Problem, Relate, Today, problem_in, shown};
+use super::{Alike, Broken, Problem, Relate, Today, problem_of_factor, shown};
 use crate::check::File;
 
 /// The picture stays when every length is `by` times as long, and every light
@@ -33,10 +33,7 @@ impl Relate for ScaleUnits {
     }
 
     fn problems(&self, file: &File) -> Vec<Problem> {
-        let is_factor = self.by > 0.0 && self.by.is_finite() && self.by != 1.0;
-        let mut problems = problem_in("by", !is_factor, || {
-            format!("expected a number above 0 other than 1, found {}", self.by)
-        });
+        let mut problems = problem_of_factor(self.by);
         problems.extend(Motion::scale(self.by).problems(file));
         problems
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::alike::few_roundings;
 use super::window::Window;
-use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_in, shown};
+use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_of_factor, shown};
 use crate::check::File;
 
 /// The picture stays when the window of a perspective view is `by` times as
@@ -35,10 +35,7 @@ impl Relate for ScaleWindow {
     }
 
     fn problems(&self, file: &File) -> Vec<Problem> {
-        let is_factor = self.by > 0.0 && self.by.is_finite() && self.by != 1.0;
-        let mut problems = problem_in("by", !is_factor, || {
-            format!("expected a number above 0 other than 1, found {}", self.by)
-        });
+        let mut problems = problem_of_factor(self.by);
         problems.extend(problem_if(
             matches!(file.camera, Camera::Parallel { .. }),
             "expected a perspective camera, as a parallel one's window has no distance",

@@ -3,6 +3,7 @@
 use rayon::ThreadPoolBuilder;
 
 use super::{Broken, Problem, Relate, Today, problem_if};
+use crate::apart::apart;
 use crate::check::File;
 
 /// The picture has the very same bits when it is made on one, two, three and
@@ -25,7 +26,7 @@ impl Relate for Threads {
         for threads in THREADS {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build();
             let pool = pool.map_err(|why| format!("there are no {threads} threads: {why}"))?;
-            let found = pool.install(|| today.fixture.render_linear());
+            let found = apart(|| pool.install(|| today.fixture.render_linear()));
             let same = self.alike().compare(today.picture, &found);
             same.map_err(|broken| broken.map(|why| format!("{why}, on threads: {threads}")))?;
         }

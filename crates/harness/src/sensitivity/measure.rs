@@ -61,7 +61,7 @@ pub enum Smallest {
 pub fn of_cases(cases: &[Case], visible: &Visible, on_each: &(dyn Fn(&str) + Sync)) -> Vec<Row> {
     let row = |case: &Case| {
         let limits = case.fixture.check.limits.as_ref();
-        let cell = |defect| cell(defect, limits, &case.golden, visible);
+        let cell = |defect| cell(defect, limits, &case.golden.picture, visible);
         let row = Row { fixture: case.name.clone(), cells: DEFECTS.iter().map(cell).collect() };
         on_each(&case.name);
         row

@@ -63,16 +63,23 @@ fn what_a_relation_works_on_must_be_there() {
     assert_eq!(problems(&grouped, "PermuteObjects(), NoAccelerator"), "");
 }
 
+/// A number as it is printed.
+fn shown(by: &str) -> String {
+    by.parse::<f64>().map_or(by.to_owned(), |by| by.to_string())
+}
+
 #[test]
 fn a_relation_that_does_nothing_is_none() {
-    let factor = "`by`: expected a number above 0 other than 1, found ";
-    for by in ["1", "0", "-2", "inf", "NaN"] {
-        check(BALL, &format!("ScaleUnits(by: {by})"), &format!("{factor}{by}"));
-        check(BALL, &format!("Exposure(by: {by})"), &format!("{factor}{by}"));
+    let factor =
+        "`by`: expected a number from 1e-6 to 1e6 that is not 1, but for 0.01 or more, found ";
+    for by in ["1", "0", "-2", "inf", "NaN", "1.0000000000000002", "1.009", "1e300"] {
+        check(BALL, &format!("ScaleUnits(by: {by})"), &format!("{factor}{}", shown(by)));
+        check(BALL, &format!("Exposure(by: {by})"), &format!("{factor}{}", shown(by)));
         let perspective = BALL.replace("Parallel", "Perspective");
-        check(&perspective, &format!("ScaleWindow(by: {by})"), &format!("{factor}{by}"));
+        check(&perspective, &format!("ScaleWindow(by: {by})"), &format!("{factor}{}", shown(by)));
     }
-    let way = "`by`: expected three finite numbers, not all 0, found ";
+    let way = "`by`: expected three finite numbers, one of 0.001 or more, found ";
+    check(BALL, "Translate(by: (1e-300, 0, 0))", &format!("{way}[1e-300, 0.0, 0.0]"));
     check(BALL, "Translate(by: (0, -0, 0))", &format!("{way}[0.0, -0.0, 0.0]"));
     check(BALL, "Translate(by: (0, inf, 0))", &format!("{way}[0.0, inf, 0.0]"));
     let part = "`size`: expected a part of the picture, which is 40 x 30, found ";
