@@ -44,6 +44,15 @@ fn plan(tree: &Tree) -> Value {
 }
 
 #[test]
+fn a_plan_that_cannot_be_written_is_refused_before_anything_is_rendered() {
+    let tree = tree();
+    // Were they rendered, they would be refused one by one.
+    tree.write("fixtures/a.ron", b"()");
+    let ran = tree.run(&["bless", "--all", "--plan", "."]).expect_code(2);
+    ran.expect(".: is there already, and is no file: name a file");
+}
+
+#[test]
 fn a_plan_changes_nothing_and_applied_does_what_bless_does() {
     let (tree, other) = (tree(), tree());
     let before = goldens(&tree);
