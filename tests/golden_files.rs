@@ -87,7 +87,10 @@ fn with_note_of_version_1(s: &Scratch, paint: impl Fn(&EncodedImage) -> EncodedI
     let golden = from_png(&s.golden("a")).unwrap();
     let note = golden.provenance.unwrap();
     let text = format!(r#"{{"schema":1,"scene":"{}","assets":"{}"}}"#, note.scene, note.assets);
-    let picture = paint(&golden.picture);
+    set_golden_with_note(s, &paint(&golden.picture), text);
+}
+
+fn set_golden_with_note(s: &Scratch, picture: &EncodedImage, text: String) {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, picture.size().width, picture.size().height);
     encoder.set_color(png::ColorType::Rgb);
@@ -112,6 +115,24 @@ fn a_note_of_version_1_is_stale_until_repacked_and_only_a_match_is() {
         EncodedImage::from_fn(p.size(), |x, y| p.get(x, y / 2).unwrap())
     });
     assert!(matches!(&repack(&scratch), Repacked::Refused(why) if why.contains("differs")));
+}
+
+#[test]
+fn a_note_of_a_later_version_is_left_to_the_goldray_that_wrote_it() {
+    for rest in [r#","scene":"a","assets":"b","picture":"c""#, r#","pictures":["c"]"#] {
+        let scratch = Scratch::blessed(&[("a", SQUARE)]);
+        let picture = from_png(&scratch.golden("a")).unwrap().picture;
+        set_golden_with_note(&scratch, &picture, format!(r#"{{"schema":3{rest}}}"#));
+        let golden = scratch.golden("a");
+        let outcome = outcome(&scratch);
+        assert_eq!((outcome.verdict.id(), outcome.remedy()), ("stale_golden", None));
+        let why = "the golden's note is of version 3, expected at most 2: a newer goldray wrote \
+                   it, use that one";
+        assert_eq!(outcome.findings, [why, "the picture is the same"]);
+        assert_eq!(bless(&scratch), Blessed::Refused(vec![why.to_owned()]));
+        assert!(matches!(repack(&scratch), Repacked::Refused(said) if said.contains(why)));
+        assert_eq!(scratch.golden("a"), golden);
+    }
 }
 
 /// Colors all over, which compress badly.

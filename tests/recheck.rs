@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 use conformance::{SQUARE, Scratch};
-use harness::recheck::{AUDIT_ONE_IN, recheck};
+use harness::recheck::{AUDIT_ONE_IN, recheck, rechecked};
 use harness::store;
 use harness::suite::Suite;
 use harness::verdict::{Origin, Outcome};
@@ -207,4 +208,36 @@ fn only_matches_are_recorded_and_others_are_rendered_each_time() {
     assert_eq!(origins(&one), [1, 0, 0, 0]);
     assert_eq!(origins(&check(&scratch, 0)), [0, COUNT - 2, 2, 0]);
     assert_eq!(Suite::RECORD, "target/goldray-cache/matches.json");
+}
+
+#[test]
+fn a_record_that_cannot_be_kept_costs_no_verdict() {
+    let in_the_way = |path: &str, put: fn(&Path), found: &str| {
+        let scratch = Scratch::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+        store::remove(&scratch.suite().golden_path("b")).unwrap();
+        put(&scratch.folder().join(path));
+        let selection = scratch.suite().select(&[]).unwrap();
+        for _ in 0..2 {
+            let judged = rechecked(scratch.suite(), &selection, 0, &|_| ()).unwrap();
+            assert_eq!(failures(&judged.outcomes), [("b", "missing_golden")].into());
+            assert_eq!(origins(&judged.outcomes), [2, 0, 0, 0]);
+            let why = judged.unkept.unwrap().to_string();
+            assert!(why.contains(found), "{why}");
+        }
+    };
+    in_the_way("target/goldray-cache", |path| store::write(path, b"").unwrap(), "goldray-cache");
+    in_the_way(Suite::RECORD, |path| store::write(&path.join("x"), b"").unwrap(), "is no file");
+    #[cfg(unix)]
+    {
+        let link = |path: &Path| {
+            let suite = path.parent().and_then(Path::parent).unwrap();
+            store::write(&suite.join("theirs/x"), b"").unwrap();
+            store::write(&suite.join("target/x"), b"").unwrap();
+            std::os::unix::fs::symlink(suite.join("theirs"), path).unwrap();
+        };
+        in_the_way("target/goldray-cache", link, "is a link");
+    }
+    let scratch = recorded();
+    let selection = scratch.suite().select(&[]).unwrap();
+    assert!(rechecked(scratch.suite(), &selection, 0, &|_| ()).unwrap().unkept.is_none());
 }

@@ -287,6 +287,16 @@ fn a_check_that_makes_no_sense_is_refused_with_its_place() {
             "check: (relations: [SumOfLights()], ",
             "expected two lights or more, found 0",
         ),
+        (
+            "check: (",
+            "check: (same_as: {\"b\": \"one\", \"c\": \"x\", \"b\": \"other\"}, ",
+            "fixtures/a.ron:7:45: \"b\" is given twice",
+        ),
+        (
+            "check: (",
+            "check: (idle: {\"objects[0]\": \"x\", \"objects[0]\": \"x\"}, ",
+            "fixtures/a.ron:7:39: \"objects[0]\" is given twice",
+        ),
     ] {
         let scratch = Scratch::blessed(&[("a", SQUARE)]);
         scratch.set_fixture("a", &SQUARE.replace(from, to));

@@ -117,7 +117,7 @@ impl Here {
     /// Refuses a file that [`Here::write`] would refuse.
     ///
     /// # Errors
-    /// It lies among fixtures or goldens.
+    /// It lies among fixtures or goldens, or what is there is no file.
     pub fn may_write(&self, path: &Path) -> Result<(), CannotAsk> {
         if let Ok(suite) = self.suite() {
             for folder in ["fixtures", "golden"] {
@@ -127,7 +127,7 @@ impl Here {
                 }
             }
         }
-        Ok(())
+        Ok(store::check_place(path)?)
     }
 
     /// How paths and commands are to be written so that they work here.

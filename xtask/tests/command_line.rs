@@ -176,6 +176,9 @@ fn render_and_compare() {
     let tree = Tree::blessed(&[("a", SQUARE)]);
     tree.run(&["render", "a", "--out", "a.png"]).expect_code(0);
     tree.run(&["render", "fixtures/a.ron", "--out", "a.exr"]).expect_code(0);
+    tree.write("fixtures/fixtures/x.ron", SQUARE.as_bytes());
+    tree.run(&["render", "fixtures/x", "--out", "x.png"]).expect_code(0);
+    tree.run(&["render", "fixtures/", "--out", "x.png"]).expect_code(2).expect("an empty filter");
     tree.run(&["compare", "golden/a.png", "a.png"]).expect_code(0).expect("ssim_mean");
     tree.run(&["compare", "a.png", "a.exr"]).expect_code(0);
     tree.run(&["compare", "a.exr", "a.exr"]).expect_code(0).expect("linear_max_abs");
@@ -207,6 +210,17 @@ fn what_belongs_to_the_suite_is_not_written_over() {
     fs::create_dir(tree.path("folder")).unwrap();
     tree.run(&["check", "--json", "folder"]).expect_code(2).expect("is no file");
     tree.run(&["check"]).expect_code(0);
+    #[cfg(unix)]
+    {
+        fs::create_dir(tree.path("golden/s")).unwrap();
+        std::os::unix::fs::symlink("golden/s", tree.path("lnk")).unwrap();
+        tree.run(&["check", "--json", "lnk/../a.png"]).expect_code(2).expect(outside);
+        tree.run(&["check"]).expect_code(0);
+    }
+    fs::remove_dir_all(tree.path("golden")).unwrap();
+    tree.run(&["check", "--json", "golden/a.png"]).expect_code(2).expect(outside);
+    tree.run(&["check", "--json", "golden"]).expect_code(2).expect(outside);
+    assert!(!tree.path("golden").exists());
 }
 
 #[test]

@@ -44,6 +44,14 @@ fn plan(tree: &Tree) -> Value {
 }
 
 #[test]
+fn a_plan_that_cannot_be_written_is_refused_before_anything_is_rendered() {
+    let tree = tree();
+    let ran = tree.run(&["bless", "--all", "--plan", "."]).expect_code(2);
+    let ran = ran.expect(".: is there already, and is no file: name a file");
+    assert!(!ran.stderr().contains("blessing"), "{}", ran.stderr());
+}
+
+#[test]
 fn a_plan_changes_nothing_and_applied_does_what_bless_does() {
     let (tree, other) = (tree(), tree());
     let before = goldens(&tree);

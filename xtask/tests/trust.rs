@@ -57,6 +57,10 @@ fn a_document_is_kept_true() {
     assert_eq!(fs::read_to_string(tree.path("docs/a.md")).unwrap(), document, "not by a check");
     tree.run(&["sensitivity", "--markdown", "docs/a.md"]).expect_code(0);
     tree.run(&check).expect_code(0);
+    let files = ["--json", "s.json", "--picture", "s.png"];
+    tree.run(&[&check[..], &files].concat()).expect_code(0).expect("docs/a.md says what is");
+    assert_eq!(json(&tree, "s.json")["schema"], 1);
+    assert!(fs::read(tree.path("s.png")).unwrap().starts_with(b"\x89PNG"));
     let written = fs::read_to_string(tree.path("docs/a.md")).unwrap();
     assert!(written.starts_with("# A\n<!--") && written.ends_with("-->\nB\n"), "{written}");
     assert!(written.contains("| `blob-1` |"), "{written}");
@@ -72,6 +76,7 @@ fn lint_answers_yes_no_and_cannot_ask() {
     tree.write("fixtures/b.ron", loose().as_bytes());
     tree.run(&["lint", "a"]).expect_code(0);
     tree.run(&["lint"]).expect_code(1).expect("fixtures/b.ron:1: matches: expected a fixture");
+    tree.run(&["lint", "b"]).expect_code(1).expect("1 linted: 1 finding\n");
     tree.run(&["bless", "b"]).expect_code(0);
     let ran = tree.run(&["lint", "--json", "l.json"]).expect_code(1);
     let ran = ran.expect("fixtures/a.ron:2: discriminability: expected a picture of its own");

@@ -85,3 +85,20 @@ fn checks_beside_each_other_keep_the_record_whole() {
         tree.run(&["check"]).expect_code(1).expect("(40 unchanged since their last match, 2 of");
     }
 }
+
+#[test]
+fn a_record_that_cannot_be_kept_leaves_the_verdicts_as_they_are() {
+    let tree = Tree::blessed(&[("a", SQUARE), ("b", SQUARE)]);
+    let json = || -> Value {
+        serde_json::from_slice(&fs::read(tree.path("target/out.json")).unwrap()).unwrap()
+    };
+    tree.write("target/goldray-cache", b"");
+    tree.run(&["check", "--json", "target/out.json"]).expect_code(0).expect("2 judged: 2 match (");
+    assert_eq!(summary(&json()), [0; 3]);
+    fs::remove_file(tree.path("golden/b.png")).unwrap();
+    fs::remove_file(tree.path("target/goldray-cache")).unwrap();
+    tree.write(&format!("{RECORD}/x"), b"");
+    let ran = tree.run(&["check"]).expect_code(1).expect("1 match, 1 missing golden");
+    ran.expect("missing golden      b: ");
+    assert!(tree.path("target/goldray/b.png").is_file());
+}

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use scene::format::by_name;
 use scene::{SceneFile, Step};
 use serde::{Deserialize, Serialize};
 
@@ -31,11 +32,19 @@ pub struct Check {
     pub large: Option<String>,
     /// Other fixtures that are meant to have the very same golden, each with
     /// the reason.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(
+        default,
+        skip_serializing_if = "BTreeMap::is_empty",
+        deserialize_with = "by_name::deserialize"
+    )]
     pub same_as: BTreeMap<String, String>,
     /// Objects and lights that are meant to change nothing in the picture, such
     /// as `"objects[1]"`, each with the reason. See [`Part`](crate::lint::Part).
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(
+        default,
+        skip_serializing_if = "BTreeMap::is_empty",
+        deserialize_with = "by_name::deserialize"
+    )]
     pub idle: BTreeMap<String, String>,
 }
 

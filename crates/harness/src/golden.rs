@@ -36,6 +36,12 @@ impl Provenance {
     /// The version of the notes that are written. Version 1 had no digest of
     /// the picture.
     pub const SCHEMA: u32 = 2;
+
+    /// Whether a newer goldray wrote this note. What it says of the scene is
+    /// then not known, and both hashes are empty.
+    pub fn is_later(&self) -> bool {
+        self.schema > Self::SCHEMA
+    }
 }
 
 /// The text of the chunk.
@@ -52,6 +58,16 @@ impl Note {
     /// Another program may have damaged it; a note without what its version
     /// promises is none.
     fn read(text: &str) -> Option<Self> {
+        /// All that is known of the notes of every version.
+        #[derive(Deserialize)]
+        struct Version {
+            schema: u32,
+        }
+        let Version { schema } = serde_json::from_str(text).ok()?;
+        let later = Provenance { schema, scene: String::new(), assets: String::new() };
+        if later.is_later() {
+            return Some(Self { provenance: later, picture: None });
+        }
         let note: Self = serde_json::from_str(text).ok()?;
         (note.picture.is_some() || note.provenance.schema < Provenance::SCHEMA).then_some(note)
     }
@@ -72,13 +88,19 @@ pub struct Golden {
     /// saved it.
     pub provenance: Option<Provenance>,
     /// The digest of the picture that was accepted; `None` without a note and
-    /// in notes of version 1.
+    /// in notes of version 1 and of later versions.
     pub accepted: Option<String>,
     /// The size of the file, in bytes.
     pub file_bytes: usize,
 }
 
 impl Golden {
+    /// Whether a newer goldray accepted it, so that it is not for this one to
+    /// replace.
+    pub fn is_later(&self) -> bool {
+        self.provenance.as_ref().is_some_and(Provenance::is_later)
+    }
+
     /// Whether the picture is another than its note was written for.
     pub fn is_tampered(&self) -> bool {
         self.accepted.as_ref().is_some_and(|digest| *digest != digest::of_encoded(&self.picture))

@@ -5,7 +5,7 @@
 use crate::encode::EncodedImage;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
-use crate::golden::{self, Golden};
+use crate::golden::{self, Golden, Provenance};
 use crate::limits::Limits;
 use crate::metric::{Comparison, compare};
 use crate::store::StoreError;
@@ -123,6 +123,20 @@ fn file_size_problem(fixture: &Fixture, found: &Found) -> Option<String> {
     fixture.check.file_size_problem(golden.file_bytes)
 }
 
+/// What is said of a golden that a newer goldray accepted: no verb of this one
+/// settles it, and `bless` would throw away what was accepted.
+pub fn later_note(found: &Found) -> Option<String> {
+    let Found::Golden(Golden { provenance: Some(note), .. }) = found else { return None };
+    note.is_later().then(|| {
+        format!(
+            "the golden's note is of version {}, expected at most {}: a newer goldray wrote it, \
+             use that one",
+            note.schema,
+            Provenance::SCHEMA
+        )
+    })
+}
+
 fn no_provenance(found: &Found) -> bool {
     matches!(found, Found::Golden(Golden { provenance: None, .. }))
 }
@@ -150,7 +164,10 @@ fn against_golden(
         findings.push(what.to_owned());
         verdicts.push(Verdict::TamperedGolden);
     }
-    if let Some(provenance) = &golden.provenance {
+    if let Some(why) = later_note(found) {
+        findings.push(why);
+        verdicts.push(Verdict::StaleGolden);
+    } else if let Some(provenance) = &golden.provenance {
         let now = &fixture.provenance;
         let parts = [
             ("the scene", provenance.scene == now.scene),

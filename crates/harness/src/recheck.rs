@@ -21,18 +21,42 @@ use crate::verdict::{Origin, Outcome, Verdict};
 /// in one case of twenty.
 pub const AUDIT_ONE_IN: usize = 33;
 
-/// Judges everything selected as [`run::run`] does, without rendering again
-/// what is unchanged since it was last a match. `seed` decides which of those
-/// are rendered as an audit, and nothing else.
+/// What was judged, and whether it is remembered.
+#[derive(Debug)]
+pub struct Rechecked {
+    /// What is said of each fixture, in the order of names.
+    pub outcomes: Vec<Outcome>,
+    /// Why the record of matches could not be written, or removed where it was
+    /// wrong. No outcome follows from that.
+    pub unkept: Option<StoreError>,
+}
+
+/// The outcomes of [`rechecked`], for who does not ask what is remembered.
 ///
 /// # Errors
-/// Artifacts or a record that cannot be written.
+/// Artifacts that cannot be written, and a program that cannot be read.
 pub fn recheck(
     suite: &Suite,
     selection: &Selection,
     seed: u64,
     on_outcome: &(dyn Fn(&Outcome) + Sync),
 ) -> Result<Vec<Outcome>, StoreError> {
+    rechecked(suite, selection, seed, on_outcome).map(|rechecked| rechecked.outcomes)
+}
+
+/// Judges everything selected as [`run::run`] does, without rendering again
+/// what is unchanged since it was last a match. `seed` decides which of those
+/// are rendered as an audit, and nothing else. A record that cannot be kept
+/// costs the time of another check, never a verdict.
+///
+/// # Errors
+/// Artifacts that cannot be written, and a program that cannot be read.
+pub fn rechecked(
+    suite: &Suite,
+    selection: &Selection,
+    seed: u64,
+    on_outcome: &(dyn Fn(&Outcome) + Sync),
+) -> Result<Rechecked, StoreError> {
     store::empty_artifacts(&suite.artifacts())?;
     let record = Record::read(suite)?;
     let is_unchanged = |name: &&String| record.holds(suite, name);
@@ -61,13 +85,9 @@ pub fn recheck(
         rendered.insert(outcome.name.clone(), inputs);
         outcomes.push(outcome);
     }
-    if is_belied {
-        Record::remove(suite)?;
-    } else {
-        record.store(suite, rendered)?;
-    }
+    let kept = if is_belied { Record::remove(suite) } else { record.store(suite, rendered) };
     outcomes.sort_by(|a, b| a.name.cmp(&b.name));
-    Ok(outcomes)
+    Ok(Rechecked { outcomes, unkept: kept.err() })
 }
 
 /// What is rendered although it could be skipped.

@@ -65,9 +65,20 @@ impl Record {
         Ok(empty.stored(suite).unwrap_or(empty))
     }
 
+    /// Where the suite's record is.
+    ///
+    /// # Errors
+    /// Its folder is a link.
+    fn path(suite: &Suite) -> Result<PathBuf, StoreError> {
+        let path = suite.record_path();
+        path.parent().map_or(Ok(()), store::check_no_link)?;
+        Ok(path)
+    }
+
     /// What is stored by this program for this folder.
     fn stored(&self, suite: &Suite) -> Option<Self> {
-        let bytes = store::read(&suite.record_path(), MAX_RECORD_BYTES).ok().flatten()?;
+        let path = Self::path(suite).ok()?;
+        let bytes = store::read(&path, MAX_RECORD_BYTES).ok().flatten()?;
         let stored: Self = serde_json::from_slice(&bytes).ok()?;
         let is_ours = (stored.schema, &stored.program, &stored.root)
             == (self.schema, &self.program, &self.root);
@@ -96,7 +107,7 @@ impl Record {
         if stored.as_ref() == Some(&self.matches) {
             return Ok(());
         }
-        let path = suite.record_path();
+        let path = Self::path(suite)?;
         let failed =
             |error: serde_json::Error| StoreError { path: path.clone(), what: error.to_string() };
         store::write(&path, &serde_json::to_vec_pretty(&self).map_err(failed)?)
@@ -121,7 +132,7 @@ impl Record {
     /// # Errors
     /// A record that cannot be removed.
     pub(crate) fn remove(suite: &Suite) -> Result<(), StoreError> {
-        let path = suite.record_path();
+        let path = Self::path(suite)?;
         if store::is_file(&path) { store::remove(&path) } else { Ok(()) }
     }
 

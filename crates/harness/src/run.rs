@@ -140,6 +140,7 @@ pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outco
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
         breaks_relations: !judgment.broken_relations.is_empty(),
+        has_later_golden: matches!(&found, Found::Golden(golden) if golden.is_later()),
         comparison: judgment.comparison,
         blamed,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),

@@ -4,6 +4,7 @@
 //! file in the same folder, then renamed.
 #![allow(clippy::disallowed_methods)]
 
+mod folder_assets;
 #[cfg(test)]
 mod tests;
 
@@ -12,9 +13,10 @@ use std::io::{ErrorKind, Read, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
 
-use scene::{Assets, MAX_ASSET_BYTES};
 use tempfile::NamedTempFile;
 use walkdir::WalkDir;
+
+pub use folder_assets::FolderAssets;
 
 /// Something that could not be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -112,6 +114,17 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
     write_then(path, bytes, |file| file.persist(path).map(drop).map_err(|error| error.error))
 }
 
+/// Whether a file may be written at this path.
+///
+/// # Errors
+/// What is there is no file.
+pub fn check_place(path: &Path) -> Result<(), StoreError> {
+    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return Err(StoreError::new(path, "is there already, and is no file: name a file"));
+    }
+    Ok(())
+}
+
 /// How often a file is written again whose folder has gone meanwhile: each time
 /// takes another check that begins in this very moment.
 const MAX_TRIES: usize = 9;
@@ -122,9 +135,7 @@ fn write_then(
     bytes: &[u8],
     persist: impl Fn(NamedTempFile) -> std::io::Result<()>,
 ) -> Result<(), StoreError> {
-    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return Err(StoreError::new(path, "is there already, and is no file"));
-    }
+    check_place(path)?;
     let write = || {
         let folder = path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
@@ -180,29 +191,47 @@ const ARTIFACTS_MARK: (&str, &[u8]) = (
     b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by goldray; emptied at each check.\n",
 );
 
+/// Whether this is no link, through which another folder would be changed.
+///
+/// # Errors
+/// It is one, even to nothing.
+pub fn check_no_link(path: &Path) -> Result<(), StoreError> {
+    if fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink()) {
+        let what = "is a link: remove it, or put a folder in its place";
+        return Err(StoreError::new(path, what));
+    }
+    Ok(())
+}
+
 /// An empty folder for artifacts, marked as such.
 ///
 /// # Errors
-/// A folder with something in it that this function did not make, and whatever
-/// keeps it from being emptied.
+/// A link, a folder with something in it but without the very mark that this
+/// function makes, and whatever keeps it from being emptied.
 pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
     let failed = |path: &Path, error: &std::io::Error| match error.kind() {
         // Another check was faster, or is writing what it found.
         ErrorKind::NotFound | ErrorKind::DirectoryNotEmpty => Ok(()),
         _ => Err(StoreError::io(path, error)),
     };
-    // What another check is writing at this moment stays.
-    sweep(path);
+    check_no_link(path)?;
     let entries: Vec<_> = match fs::read_dir(path) {
         Ok(entries) => entries.filter_map(Result::ok).map(|entry| entry.path()).collect(),
         Err(error) => failed(path, &error).map(|()| Vec::new())?,
     };
     let entries: Vec<_> = entries.into_iter().filter(|entry| !is_temporary(entry)).collect();
     let mark = path.join(ARTIFACTS_MARK.0);
-    if !entries.is_empty() && !entries.contains(&mark) {
+    // Other programs mark folders by a file of this name too.
+    let is_marked = || {
+        let found = read(&mark, ARTIFACTS_MARK.1.len() as u64).ok().flatten();
+        found.is_some_and(|found| found == ARTIFACTS_MARK.1)
+    };
+    if !entries.is_empty() && !is_marked() {
         let what = "is in the way of the artifacts and was not made by goldray: move it";
         return Err(StoreError::new(path, what));
     }
+    // What another check is writing at this moment stays.
+    sweep(path);
     // The mark comes first and stays, so that a run cut short leaves a folder
     // that the next one knows.
     if !is_file(&mark) {
@@ -230,22 +259,37 @@ pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Whether `path`, which need not be there, lies in `folder`, by what both
-/// really are.
+/// Whether a file written at `path` would be `folder` or lie in it, by what
+/// both really are. Neither need be there.
 pub fn is_inside(path: &Path, folder: &Path) -> bool {
-    let Ok(path) = std::path::absolute(path) else { return false };
-    // A folder that is not there yet has no links to go through.
-    let plain = path.components().fold(PathBuf::new(), |mut plain, part| {
-        if part == Component::ParentDir {
-            plain.pop();
-        } else {
-            plain.push(part);
+    let Some(folder) = really(folder) else { return false };
+    let place = match (path.parent(), path.file_name()) {
+        // A link in the file's own place is written over, not followed.
+        (Some(parent), Some(name)) => {
+            really(&Path::new(".").join(parent)).map(|parent| parent.join(name))
         }
-        plain
-    });
-    let parent = plain.parent().unwrap_or(&plain);
-    let really = parent.ancestors().find_map(|there| there.canonicalize().ok());
-    really.zip(folder.canonicalize().ok()).is_some_and(|(path, folder)| path.starts_with(folder))
+        _ => really(path),
+    };
+    place.is_some_and(|place| place.starts_with(folder))
+}
+
+/// The path without links or relative parts, whose end need not be there. Each
+/// link is followed before what stands behind it is looked at, as `link/..` is
+/// beside what the link leads to.
+fn really(path: &Path) -> Option<PathBuf> {
+    let path = std::path::absolute(path).ok()?;
+    Some(path.components().fold(PathBuf::new(), |mut really, part| {
+        match part {
+            Component::ParentDir => _ = really.pop(),
+            Component::Normal(name) => {
+                really.push(name);
+                // What is not there has no links to go through.
+                really = really.canonicalize().unwrap_or(really);
+            }
+            other => really.push(other),
+        }
+        really
+    }))
 }
 
 /// The path without links or relative parts.
@@ -272,9 +316,11 @@ pub fn is_folder(path: &Path) -> bool {
 /// are passed over.
 ///
 /// # Errors
-/// A folder that cannot be walked; and what would otherwise be passed over in
+/// A folder that cannot be walked; what would otherwise be passed over in
 /// silence: a link to a folder, the ending in other letters, a hidden file or
-/// no file with it, and a name that is not UTF-8 or holds control characters.
+/// no file with it, and a name that is not UTF-8 or holds control characters;
+/// and a folder whose name ends as a fixture's or a golden's does, which would
+/// be in the way of one.
 pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
     if !folder.exists() {
         return Ok(Vec::new());
@@ -294,6 +340,10 @@ pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
         // What looks like one and is none would be passed over in silence.
         let why = if entry.path_is_symlink() && path.is_dir() {
             "is a link to a folder, which is not entered".to_owned()
+        } else if entry.file_type().is_dir() && has_an_ending(path) {
+            "would be in the way of a picture or a fixture: give the folder a name without that \
+             ending"
+                .to_owned()
         } else if !found.eq_ignore_ascii_case(dot_ending.as_bytes()) {
             continue;
         } else if found != dot_ending.as_bytes() {
@@ -323,6 +373,13 @@ pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
     Ok(names)
 }
 
+/// Whether the name ends as a fixture's or a golden's does, in any letters.
+fn has_an_ending(path: &Path) -> bool {
+    const ENDINGS: [&str; 2] = ["ron", "png"];
+    let found = path.extension().unwrap_or_default();
+    ENDINGS.iter().any(|ending| found.eq_ignore_ascii_case(ending))
+}
+
 /// A folder for what is needed for a while; it goes away with this.
 #[derive(Debug)]
 pub struct Scratch(tempfile::TempDir);
@@ -339,36 +396,5 @@ impl Scratch {
     /// Where a file of this name is in it.
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
-    }
-}
-
-/// The meshes of a scene: files in its own folder or below, links included
-/// only where they stay there.
-#[derive(Debug, Clone)]
-pub struct FolderAssets {
-    folder: PathBuf,
-}
-
-impl FolderAssets {
-    /// The assets beside the scene file at `scene`.
-    pub fn beside(scene: &Path) -> Self {
-        let folder = scene.parent().filter(|folder| !folder.as_os_str().is_empty());
-        Self { folder: folder.unwrap_or(Path::new(".")).to_owned() }
-    }
-}
-
-impl Assets for FolderAssets {
-    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        let missing = || "does not exist beside the scene".to_owned();
-        let full = self.folder.join(path);
-        let really = full.canonicalize().map_err(|_| missing())?;
-        let home = self.folder.canonicalize().map_err(|_| missing())?;
-        if !really.starts_with(home) {
-            return Err("is a link that leaves the scene's folder".to_owned());
-        }
-        match read(&really, MAX_ASSET_BYTES) {
-            Ok(bytes) => bytes.ok_or_else(missing),
-            Err(error) => Err(format!("cannot be read: {}", error.what)),
-        }
     }
 }

@@ -99,9 +99,8 @@ impl Suite {
     /// What the filters select, or everything if there are none.
     ///
     /// A filter selects the fixture of exactly its name (or path) if there is
-    /// one; with
-    /// `*` or `?` in it, the names it matches as a whole; else all names that
-    /// contain it. Goldens without a fixture are selected in the same way.
+    /// one; with `*` or `?` in it, the names it matches as a whole; else all
+    /// names that contain it. Goldens without a fixture are selected in the same way.
     ///
     /// # Errors
     /// A suite without fixtures, a filter that selects nothing, and folders
@@ -113,7 +112,7 @@ impl Suite {
             return Err(SuiteError::Empty(self.root.join("fixtures")));
         }
         let known: BTreeSet<_> = fixtures.iter().chain(&goldens).cloned().collect();
-        let written: Vec<_> = filters.iter().map(|filter| name_of(filter)).collect();
+        let written: Vec<_> = filters.iter().map(|filter| name_among(&known, filter)).collect();
         let selected = filter::select(&known, &written, "cargo xtask list")?;
         let is_selected = |name: &String| filters.is_empty() || selected.contains(name);
         let has_fixture: BTreeSet<_> = fixtures.iter().collect();
@@ -133,6 +132,16 @@ pub fn name_of(path: &str) -> &str {
     let path = path.strip_prefix("./").unwrap_or(path);
     let path = path.strip_prefix("fixtures/").unwrap_or(path);
     path.strip_suffix(".ron").unwrap_or(path)
+}
+
+/// The known name that a filter says as a name or as a path; what [`name_of`]
+/// makes of it where there is none. `fixtures/` may belong to the name itself.
+fn name_among<'a>(known: &BTreeSet<String>, filter: &'a str) -> &'a str {
+    let inner = name_of(filter);
+    let whole = filter.strip_suffix(".ron").unwrap_or(filter);
+    // Only a path has the ending.
+    let order = if whole == filter { [whole, inner] } else { [inner, whole] };
+    order.into_iter().find(|name| known.contains(*name)).unwrap_or(inner)
 }
 
 #[cfg(test)]
@@ -178,6 +187,28 @@ mod tests {
         check(&["sphere/???"], &["sphere/far"], &[]);
         check(&["flat", "gone"], &["box/flat"], &["sphere/gone"]);
         check(&["fixtures/sphere/far.ron"], &["sphere/far"], &[]);
+    }
+
+    #[test]
+    fn a_folder_of_fixtures_may_have_their_name() {
+        #[track_caller]
+        fn check(names: &[&str], filter: &str, expected: &[&str]) {
+            let files: Vec<_> = names.iter().map(|name| format!("fixtures/{name}.ron")).collect();
+            let files: Vec<_> = files.iter().map(String::as_str).collect();
+            let (_folder, suite) = suite(&files);
+            assert_eq!(suite.select(&[filter.to_owned()]).unwrap().fixtures, expected, "{filter}");
+        }
+        let inner = ["fixtures/x", "fixtures/xy"];
+        check(&inner, "fixtures/x", &["fixtures/x"]);
+        check(&inner, "fixtures/fixtures/x", &["fixtures/x"]);
+        check(&inner, "./fixtures/fixtures/x.ron", &["fixtures/x"]);
+        check(&inner, "x", &inner);
+        let both = ["fixtures/x", "x", "xy"];
+        check(&both, "fixtures/x", &["fixtures/x"]);
+        check(&both, "fixtures/x.ron", &["x"]);
+        check(&both, "./fixtures/x.ron", &["x"]);
+        check(&both, "fixtures/xy", &["xy"]);
+        check(&both, "x", &["x"]);
     }
 
     #[test]

@@ -119,6 +119,9 @@ pub struct Outcome {
     pub breaks_expectations: bool,
     /// Whether the picture breaks a relation of its fixture, likewise.
     pub breaks_relations: bool,
+    /// Whether a newer goldray accepted the golden, so that this one must not
+    /// replace it.
+    pub has_later_golden: bool,
     /// The metrics, where picture and golden could be compared.
     pub comparison: Option<Comparison>,
     /// What the difference from the golden lies on, the most blamed first.
@@ -146,6 +149,7 @@ impl Outcome {
             findings: Vec::new(),
             breaks_expectations: false,
             breaks_relations: false,
+            has_later_golden: false,
             comparison: None,
             blamed: Vec::new(),
             size: None,
@@ -163,7 +167,11 @@ impl Outcome {
         let name = shell_word(&self.name);
         match self.verdict {
             Verdict::OrphanGolden => Some(format!("bless --prune {name}")),
-            verdict if verdict.can_be_blessed() && !self.breaks_its_word() => {
+            verdict
+                if verdict.can_be_blessed()
+                    && !self.breaks_its_word()
+                    && !self.has_later_golden =>
+            {
                 Some(format!("bless {name}"))
             }
             _ => None,

@@ -30,6 +30,7 @@ macro_rules! broken {
 broken! {
     numbers_that_make_no_sense: "numbers.ron",
     names_that_are_not_known: "names.ron",
+    names_that_are_given_twice: "given-twice.ron",
     slips_of_the_hand: "syntax.ron",
     files_and_sizes: "files.ron",
     a_file_cut_short: "cut-short.ron",

@@ -40,7 +40,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         println!("{}", finding_line(finding, &reader.path_prefix));
     }
     print!("{}", rule_lines(&findings));
-    println!("{} linted: {} findings", names.len(), findings.len());
+    let plural = if findings.len() == 1 { "" } else { "s" };
+    println!("{} linted: {} finding{plural}", names.len(), findings.len());
     if let Some(path) = &args.json {
         let json = serde_json::to_string_pretty(&findings_json(&findings))?;
         here.write(path, format!("{json}\n").as_bytes())?;

@@ -51,14 +51,13 @@ pub(crate) fn run(
     let (label, path) = if Path::new(scene).extension().is_some_and(|e| e == "ron") {
         (scene.clone(), PathBuf::from(scene))
     } else {
-        let (suite, name) = (here.suite()?, name_of(scene));
+        let suite = here.suite()?;
         // Says what was probably meant where there is no such fixture.
-        let selection = suite.select(&[name.to_owned()])?;
-        if !selection.fixtures.iter().any(|fixture| fixture == name) {
-            let what =
-                format!("expected a scene file or a fixture's whole name, found \"{scene}\"");
-            return Err(CannotAsk(what));
-        }
+        let selection = suite.select(std::slice::from_ref(scene))?;
+        let is_whole = |name: &&String| *name == scene || *name == name_of(scene);
+        let name = selection.fixtures.iter().find(is_whole).ok_or_else(|| {
+            CannotAsk(format!("expected a scene file or a fixture's whole name, found \"{scene}\""))
+        })?;
         (Suite::fixture_label(name), suite.fixture_path(name))
     };
     let mut fixture = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;

@@ -55,14 +55,6 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 
     let summary = sensitivity::summarize(&rows);
     let text = sensitivity::markdown(&rows, &summary, &visible);
-    if let Some(path) = &args.check {
-        return check(path, &text);
-    }
-    print!(
-        "{}\n{}",
-        sensitivity::fixture_lines(&rows),
-        sensitivity::summary_lines(&summary, &visible)
-    );
     if let Some(path) = &args.json {
         let json = serde_json::to_string_pretty(&sensitivity::json(&rows, &summary, &visible))?;
         here.write(path, format!("{json}\n").as_bytes())?;
@@ -71,6 +63,14 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         let png = golden::to_png(&picture(&rows), None);
         here.write(path, &png.map_err(|why| CannotAsk::file(path, &why))?)?;
     }
+    if let Some(path) = &args.check {
+        return check(path, &text);
+    }
+    print!(
+        "{}\n{}",
+        sensitivity::fixture_lines(&rows),
+        sensitivity::summary_lines(&summary, &visible)
+    );
     if let Some(path) = &args.markdown {
         let whole = block::read(path).and_then(|whole| block::replaced(&whole, MARK, &text));
         here.write(path, whole.map_err(|why| CannotAsk::file(path, &why))?.as_bytes())?;

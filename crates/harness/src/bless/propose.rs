@@ -8,7 +8,7 @@ use super::{Action, Step};
 use crate::blame::blame;
 use crate::golden;
 use crate::hash::content_hash;
-use crate::judge::{Found, broken_expectations};
+use crate::judge::{Found, broken_expectations, later_note};
 use crate::metric::Comparison;
 use crate::report;
 use crate::run::{Judged, judge_fixture, read_golden};
@@ -46,8 +46,9 @@ pub struct Change {
 
 /// Renders the selected fixtures and proposes the pictures that are not a
 /// match, and to remove selected goldens without a fixture if `prune`. A
-/// picture is refused that breaks an expectation of its fixture or whose file
-/// would be larger than a golden may be, and so is a fixture with problems.
+/// picture is refused that breaks an expectation of its fixture, whose file
+/// would be larger than a golden may be or whose golden a newer goldray wrote,
+/// and so is a fixture with problems.
 /// `on_done` hears of each name, from any thread.
 pub fn propose(
     suite: &Suite,
@@ -79,6 +80,9 @@ fn propose_fixture(suite: &Suite, name: &str) -> Result<Proposal, Vec<String>> {
     }
     if judgment.verdict == Verdict::Match {
         return Ok(Proposal::Untouched);
+    }
+    if let Some(why) = later_note(&found) {
+        return Err(vec![why]);
     }
     if let (Found::Unreadable(why), None) = (&found, &golden_hash) {
         return Err(vec![format!("what is in the golden's place {why}: remove it")]);

@@ -99,6 +99,9 @@ fn a_note_says_what_its_version_promises_or_is_none() {
     assert_eq!(provenance(r#"{"schema":2,"scene":"a","assets":"b"}"#), None);
     assert_eq!(provenance(r#"{"schema":2,"scene":"a","picture":"c"}"#), None);
     assert_eq!(provenance("{"), None);
+    assert_eq!(provenance(r#"{"schema":3,"seen":"a"}"#), Some(3), "of which nothing is known");
+    assert_eq!(provenance(r#"{"schema":0}"#), None);
+    assert_eq!(provenance(r#"{"schema":"3"}"#), None);
 }
 
 #[test]

@@ -32,6 +32,7 @@ pub struct Reader {
 ///     findings: vec!["there is no golden".to_owned()],
 ///     breaks_expectations: false,
 ///     breaks_relations: false,
+///     has_later_golden: false,
 ///     comparison: None,
 ///     blamed: vec![],
 ///     size: Some((64, 48)),

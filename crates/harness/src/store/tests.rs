@@ -20,6 +20,7 @@ fn only_files_are_replaced_and_only_when_meant() {
     write_new(&path, b"1").unwrap();
     assert!(write_new(&path, b"2").is_err());
     assert!(write(path.parent().unwrap(), b"3").is_err(), "a folder");
+    assert!(check_place(path.parent().unwrap()).is_err() && check_place(&path).is_ok());
     assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"1"[..]));
     write(&path, b"4").unwrap();
     assert_eq!(read(&path, 9).unwrap().as_deref(), Some(&b"4"[..]));
@@ -59,6 +60,34 @@ fn a_folder_that_is_not_ours_is_never_emptied() {
     write(&theirs.join("a.png"), b"1").unwrap();
     assert!(empty_artifacts(&theirs).is_err());
     assert!(is_file(&theirs.join("a.png")));
+    // Another program's mark says that it may empty the folder, not that we may.
+    for mark in [&b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by cargo.\n"[..], b""] {
+        write(&theirs.join(ARTIFACTS_MARK.0), mark).unwrap();
+        let error = empty_artifacts(&theirs).unwrap_err().to_string();
+        assert!(error.contains("not made by goldray: move it"), "{error}");
+        assert!(is_file(&theirs.join("a.png")));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_never_emptied_even_to_a_folder_of_ours() {
+    let folder = tempfile::tempdir().unwrap();
+    let (ours, link) = (folder.path().join("ours"), folder.path().join("target/goldray"));
+    empty_artifacts(&ours).unwrap();
+    for name in ["a.png", ".goldray-dead.tmp"] {
+        write(&ours.join(name), b"1").unwrap();
+    }
+    fs::create_dir(folder.path().join("target")).unwrap();
+    for to in [ours.as_path(), Path::new("nowhere")] {
+        std::os::unix::fs::symlink(to, &link).unwrap();
+        let error = empty_artifacts(&link).unwrap_err().to_string();
+        assert!(error.contains("is a link: remove it"), "{error}");
+        remove(&link).unwrap();
+    }
+    for name in ["a.png", ".goldray-dead.tmp"] {
+        assert!(is_file(&ours.join(name)), "{name}");
+    }
 }
 
 #[test]
@@ -72,6 +101,45 @@ fn what_is_inside_is_told_before_it_is_there() {
     for outside in ["a.png", "new/a.png", "golden/../a.png", "golden.png"] {
         assert!(!is_inside(&folder.path().join(outside), &golden), "{outside}");
     }
+    let missing = folder.path().join("missing");
+    for inside in ["missing", "missing/a.png", "golden/../missing/a.png", "new/../missing/b/a"] {
+        assert!(is_inside(&folder.path().join(inside), &missing), "{inside}");
+    }
+    assert!(!is_inside(&folder.path().join("missing/../a.png"), &missing));
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_inside_is_told_as_the_system_goes_through_links() {
+    let folder = tempfile::tempdir().unwrap();
+    let golden = folder.path().join("golden");
+    write(&golden.join("s/a.png"), b"").unwrap();
+    write(&folder.path().join("out/a.png"), b"").unwrap();
+    let link = |to: &str, at: &str| {
+        std::os::unix::fs::symlink(folder.path().join(to), folder.path().join(at)).unwrap();
+    };
+    link("golden/s", "lnk");
+    link("golden/s/a.png", "file.png");
+    link("out", "golden/away");
+    link(".", "same");
+    for inside in [
+        "lnk/b.png",
+        "lnk/../ball.png",
+        "new/../lnk/../ball.png",
+        "same/golden/a.png",
+        "lnk/../x/y",
+    ] {
+        assert!(is_inside(&folder.path().join(inside), &golden), "{inside}");
+    }
+    // A file is written in a link's place, not through it.
+    for outside in ["file.png", "lnk/../../a.png", "golden/away/a.png", "golden/away/../a.png"] {
+        assert!(!is_inside(&folder.path().join(outside), &golden), "{outside}");
+    }
+    // Goldens that are kept elsewhere, and a suite that is reached through a link.
+    let linked = folder.path().join("linked");
+    link("out", "linked");
+    assert!(is_inside(&folder.path().join("out/b.png"), &linked));
+    assert!(is_inside(&folder.path().join("missing/b.png"), &folder.path().join("same/missing")));
 }
 
 #[test]
@@ -82,6 +150,17 @@ fn nothing_that_looks_like_a_fixture_is_passed_over() {
         assert_eq!(names(folder.path(), "ron").unwrap(), ["a"]);
         write(&folder.path().join(odd), b"").unwrap();
         assert!(names(folder.path(), "ron").is_err(), "{odd:?}");
+    }
+    for odd in ["a.png/b.ron", "deep/a.PNG/b.ron", "a.Ron/b.ron", "a.png/empty/c.txt"] {
+        let folder = tempfile::tempdir().unwrap();
+        write(&folder.path().join("a.ron"), b"").unwrap();
+        write(&folder.path().join("png/.png/c.ron"), b"").unwrap();
+        assert_eq!(names(folder.path(), "ron").unwrap(), ["a"]);
+        write(&folder.path().join(odd), b"").unwrap();
+        for ending in ["ron", "png"] {
+            let error = names(folder.path(), ending).unwrap_err().to_string();
+            assert!(error.contains("give the folder a name without"), "{odd}: {error}");
+        }
     }
 }
 

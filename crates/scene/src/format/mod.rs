@@ -10,6 +10,7 @@
 //! where it has its default, so that old files keep their canonical text and
 //! goldens their provenance.
 
+pub mod by_name;
 mod camera;
 mod light;
 mod material;
@@ -55,7 +56,11 @@ pub struct SceneFile<Check = Unchecked> {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<Light>,
     /// Materials by name, for objects to share as `Named("...")`.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", with = "material::by_name")]
+    #[serde(
+        default,
+        skip_serializing_if = "BTreeMap::is_empty",
+        deserialize_with = "by_name::deserialize"
+    )]
     pub materials: BTreeMap<String, Material>,
     /// The shading formulas; the lecture's if not said.
     #[serde(default, skip_serializing_if = "is_default")]

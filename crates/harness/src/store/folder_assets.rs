@@ -1,0 +1,38 @@
+//! `FolderAssets`: the meshes beside a scene file.
+
+use std::path::{Path, PathBuf};
+
+use scene::{Assets, MAX_ASSET_BYTES};
+
+use super::{read, real_path};
+
+/// The meshes of a scene: files in its own folder or below, links included
+/// only where they stay there.
+#[derive(Debug, Clone)]
+pub struct FolderAssets {
+    folder: PathBuf,
+}
+
+impl FolderAssets {
+    /// The assets beside the scene file at `scene`.
+    pub fn beside(scene: &Path) -> Self {
+        let folder = scene.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Self { folder: folder.unwrap_or(Path::new(".")).to_owned() }
+    }
+}
+
+impl Assets for FolderAssets {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let missing = || "does not exist beside the scene".to_owned();
+        let full = self.folder.join(path);
+        let really = real_path(&full).map_err(|_| missing())?;
+        let home = real_path(&self.folder).map_err(|_| missing())?;
+        if !really.starts_with(home) {
+            return Err("is a link that leaves the scene's folder".to_owned());
+        }
+        match read(&really, MAX_ASSET_BYTES) {
+            Ok(bytes) => bytes.ok_or_else(missing),
+            Err(error) => Err(format!("cannot be read: {}", error.what)),
+        }
+    }
+}
