@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use conformance::{SQUARE, Scratch};
-use harness::recheck::{AUDIT_ONE_IN, recheck, rechecked};
+use harness::recheck::{AUDIT_ONE_IN, recheck};
 use harness::store;
 use harness::suite::Suite;
 use harness::verdict::{Origin, Outcome};
@@ -28,7 +28,7 @@ fn recorded() -> Scratch {
 
 fn check(scratch: &Scratch, seed: u64) -> Vec<Outcome> {
     let selection = scratch.suite().select(&[]).unwrap();
-    recheck(scratch.suite(), &selection, seed, &|_| ()).unwrap()
+    recheck(scratch.suite(), &selection, seed, &|_| ()).unwrap().outcomes
 }
 
 /// How many were rendered, unchanged, audited and belied.
@@ -204,7 +204,7 @@ fn only_matches_are_recorded_and_others_are_rendered_each_time() {
     }
     // A check of one fixture leaves the record of the others.
     scratch.set_golden("f05", &golden);
-    let one = recheck(scratch.suite(), &selection("f05"), 0, &|_| ()).unwrap();
+    let one = recheck(scratch.suite(), &selection("f05"), 0, &|_| ()).unwrap().outcomes;
     assert_eq!(origins(&one), [1, 0, 0, 0]);
     assert_eq!(origins(&check(&scratch, 0)), [0, COUNT - 2, 2, 0]);
     assert_eq!(Suite::RECORD, "target/goldray-cache/matches.json");
@@ -218,7 +218,7 @@ fn a_record_that_cannot_be_kept_costs_no_verdict() {
         put(&scratch.folder().join(path));
         let selection = scratch.suite().select(&[]).unwrap();
         for _ in 0..2 {
-            let judged = rechecked(scratch.suite(), &selection, 0, &|_| ()).unwrap();
+            let judged = recheck(scratch.suite(), &selection, 0, &|_| ()).unwrap();
             assert_eq!(failures(&judged.outcomes), [("b", "missing_golden")].into());
             assert_eq!(origins(&judged.outcomes), [2, 0, 0, 0]);
             let why = judged.unkept.unwrap().to_string();
@@ -239,5 +239,5 @@ fn a_record_that_cannot_be_kept_costs_no_verdict() {
     }
     let scratch = recorded();
     let selection = scratch.suite().select(&[]).unwrap();
-    assert!(rechecked(scratch.suite(), &selection, 0, &|_| ()).unwrap().unkept.is_none());
+    assert!(recheck(scratch.suite(), &selection, 0, &|_| ()).unwrap().unkept.is_none());
 }

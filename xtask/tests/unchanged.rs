@@ -93,7 +93,10 @@ fn a_record_that_cannot_be_kept_leaves_the_verdicts_as_they_are() {
         serde_json::from_slice(&fs::read(tree.path("target/out.json")).unwrap()).unwrap()
     };
     tree.write("target/goldray-cache", b"");
-    tree.run(&["check", "--json", "target/out.json"]).expect_code(0).expect("2 judged: 2 match (");
+    tree.run(&["check", "--json", "target/out.json"])
+        .expect_code(0)
+        .expect("2 judged: 2 match (")
+        .expect("the record of matches could not be kept: ");
     assert_eq!(summary(&json()), [0; 3]);
     fs::remove_file(tree.path("golden/b.png")).unwrap();
     fs::remove_file(tree.path("target/goldray-cache")).unwrap();

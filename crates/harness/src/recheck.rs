@@ -31,19 +31,6 @@ pub struct Rechecked {
     pub unkept: Option<StoreError>,
 }
 
-/// The outcomes of [`rechecked`], for who does not ask what is remembered.
-///
-/// # Errors
-/// Artifacts that cannot be written, and a program that cannot be read.
-pub fn recheck(
-    suite: &Suite,
-    selection: &Selection,
-    seed: u64,
-    on_outcome: &(dyn Fn(&Outcome) + Sync),
-) -> Result<Vec<Outcome>, StoreError> {
-    rechecked(suite, selection, seed, on_outcome).map(|rechecked| rechecked.outcomes)
-}
-
 /// Judges everything selected as [`run::run`] does, without rendering again
 /// what is unchanged since it was last a match. `seed` decides which of those
 /// are rendered as an audit, and nothing else. A record that cannot be kept
@@ -51,7 +38,7 @@ pub fn recheck(
 ///
 /// # Errors
 /// Artifacts that cannot be written, and a program that cannot be read.
-pub fn rechecked(
+pub fn recheck(
     suite: &Suite,
     selection: &Selection,
     seed: u64,

@@ -4,7 +4,7 @@
 //! A place that can be wrong asks [`seeded`]. Without the feature `faults`, as
 //! in every build that makes pictures for people, the answer is the constant
 //! `false`, and nothing of the mistake is compiled. With it, one fault of the
-//! process is on, by [`seed`].
+//! process is on, by `seed`.
 //!
 //! To add one: its line in `faults!` below, and the place where it is made.
 

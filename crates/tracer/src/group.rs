@@ -198,6 +198,12 @@ impl Group {
         Self::new(Transform::IDENTITY, members, Build::default())
     }
 
+    /// Which members are groups.
+    pub(crate) fn inner_groups(&self) -> impl Iterator<Item = usize> {
+        let is_group = |(_, member): &(usize, &Member)| matches!(member, Member::Group(_));
+        self.members.iter().enumerate().filter(is_group).map(|(i, _)| i)
+    }
+
     /// A box around all members, in the parent's space.
     pub fn bounds(&self) -> Aabb {
         self.bounds

@@ -34,6 +34,9 @@ const FEW: u32 = 2;
 pub struct Plan {
     skipping: Skipping,
     tiles: Tiles,
+    /// Members that are groups: two of them are sooner asked for by their boxes
+    /// than entered one by one.
+    groups: Members,
     notes: Vec<String>,
 }
 
@@ -44,14 +47,15 @@ impl Plan {
         let census = Census::of(scene);
         if skipping == Skipping::Off {
             let notes = vec!["skips nothing, as it was asked to".to_owned()];
-            return Self { skipping, tiles: Tiles::all(size, Members::MAX), notes };
+            return Self { skipping, tiles: Tiles::all(size, Members::MAX), groups: 0, notes };
         }
         let mut tiles = Tiles::all(size, 0);
         for (member, seen) in &census.seen {
             tiles.mark(scene.camera(), size, bit_of(*member), *seen);
         }
         let notes = census.notes(scene, &tiles);
-        Self { skipping, tiles, notes }
+        let groups = scene.world().inner_groups().fold(0, |all, member| all | bit_of(member));
+        Self { skipping, tiles, groups, notes }
     }
 
     /// What is needed and what is skipped, a line each, for people.
@@ -69,7 +73,8 @@ impl Plan {
         match self.tiles.seen_in(i, j) {
             0 => Candidates::None,
             all if all & REST != 0 => Candidates::All,
-            few if few.count_ones() <= FEW => Candidates::These(few),
+            one if one.is_power_of_two() => Candidates::These(one),
+            few if few.count_ones() <= FEW && few & self.groups == 0 => Candidates::These(few),
             _ => Candidates::All,
         }
     }

@@ -4,7 +4,7 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use harness::recheck::recheck;
+use harness::recheck::{Rechecked, recheck};
 use harness::report::{outcome_line, run_json, summarize};
 use harness::run;
 use harness::suite::Suite;
@@ -34,8 +34,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let progress = Progress::start("checking", selection.fixtures.len() + selection.orphans.len());
     let advance = |outcome: &Outcome| progress.advance(&outcome.name);
     // A build server has time, and its record would be one that nobody made.
-    let outcomes = if args.no_cache || std::env::var_os("CI").is_some() {
-        run::run(&suite, &selection, &advance)?
+    let Rechecked { outcomes, unkept } = if args.no_cache || std::env::var_os("CI").is_some() {
+        Rechecked { outcomes: run::run(&suite, &selection, &advance)?, unkept: None }
     } else {
         recheck(&suite, &selection, random(), &advance)?
     };
@@ -48,10 +48,13 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     say_audited(&outcomes);
     let elapsed = started.elapsed().as_secs_f64();
     let summary = summarize(&outcomes);
-    if summary.belied > 0 {
+    if summary.belied > 0 && unkept.is_none() {
         println!("{} was wrong: it is removed, and everything was rendered", Suite::RECORD);
     }
     println!("{summary} ({elapsed:.2} s)");
+    if let Some(why) = &unkept {
+        println!("the record of matches could not be kept: {why}");
+    }
     if let Some(path) = &args.json {
         let json = serde_json::to_string_pretty(&run_json(&outcomes, elapsed * 1e3))?;
         here.write(path, json.as_bytes())?;
