@@ -207,3 +207,6 @@ fn against_golden(
     }
     (verdicts.first().copied().unwrap_or(Verdict::Match), findings, comparison)
 }
+
+#[cfg(test)]
+mod tests;
