@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn everything_that_works_on_pictures_is_timed() {
         let rows = of_side(48, Effort { rounds: 3, turn: 0.0 }).unwrap();
-        assert_eq!(rows.len(), 10);
+        assert_eq!(rows.len(), 12);
         assert!(rows.iter().all(|row| row.mpix_s.median > 0.0), "{rows:?}");
         let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap().mpix_s.median;
         assert!(of("compare, identical") > of("compare, every metric"));
