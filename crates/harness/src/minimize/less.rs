@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use scene::format::{Material, Object};
+use scene::format::Object;
 
 use super::Search;
 use crate::check::File;
@@ -57,7 +57,7 @@ pub(super) fn materials(search: &mut Search<'_>) {
     for place in 0..count(&search.best.objects) {
         search.take_with(|file| {
             if let Some(object) = at(&mut file.objects, &mut 0, place) {
-                *material_of(object) = None;
+                *object.material_mut() = None;
             }
         });
     }
@@ -141,21 +141,6 @@ fn at<'a>(objects: &'a mut [Object], next: &mut usize, place: usize) -> Option<&
         };
     }
     None
-}
-
-fn material_of(object: &mut Object) -> &mut Option<Material> {
-    match object {
-        Object::Sphere { material, .. }
-        | Object::Triangle { material, .. }
-        | Object::Box { material, .. }
-        | Object::Plane { material, .. }
-        | Object::Disk { material, .. }
-        | Object::Cylinder { material, .. }
-        | Object::Cone { material, .. }
-        | Object::Torus { material, .. }
-        | Object::Mesh { material, .. }
-        | Object::Group { material, .. } => material,
-    }
 }
 
 #[cfg(test)]
