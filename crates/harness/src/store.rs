@@ -152,11 +152,17 @@ fn write_then(
         file.as_file().sync_all()?;
         persist(file)
     };
+    // Another check may be emptying the folder it is in: the folder has gone, or
+    // was there when it was to be made and has gone since.
+    let has_gone = |error: &std::io::Error| match error.kind() {
+        ErrorKind::NotFound => true,
+        ErrorKind::AlreadyExists => !path.exists(),
+        _ => false,
+    };
     let mut written = write();
-    // Another check may be emptying the folder it is in.
     for _ in 0..MAX_TRIES {
         match &written {
-            Err(error) if error.kind() == ErrorKind::NotFound => written = write(),
+            Err(error) if has_gone(error) => written = write(),
             _ => break,
         }
     }
