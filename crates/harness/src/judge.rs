@@ -100,6 +100,17 @@ impl Judgment {
         self.broken_relations = broken;
         self
     }
+
+    /// The same with how renders of the fixture differ, if they do: that is the
+    /// verdict then, as no other can be trusted.
+    #[must_use]
+    pub fn with_steadiness(mut self, difference: Option<String>) -> Self {
+        if let Some(difference) = difference {
+            self.verdict = Verdict::Unsteady;
+            self.findings.insert(0, difference);
+        }
+        self
+    }
 }
 
 /// Whether a picture in a golden's place is not within these limits: what

@@ -86,6 +86,9 @@ impl Suite {
     /// The record of matches, relative to the suite.
     pub const RECORD: &str = "target/goldray-cache/matches.json";
 
+    /// The names of what was no match, relative to the suite.
+    pub const FAILED: &str = "target/goldray-cache/failed.json";
+
     /// The record of matches.
     pub fn record_path(&self) -> PathBuf {
         self.root.join(Self::RECORD)

@@ -15,6 +15,8 @@ pub enum Verdict {
     /// The picture is its golden and as expected, but not as like the picture
     /// of a related scene as the fixture says.
     RelationFailed,
+    /// Renders of the very same scene differ.
+    Unsteady,
     /// There is no golden.
     MissingGolden,
     /// There is a golden but no fixture.
@@ -37,11 +39,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, the good one first.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Match,
         Self::Differs,
         Self::ExpectationFailed,
         Self::RelationFailed,
+        Self::Unsteady,
         Self::MissingGolden,
         Self::OrphanGolden,
         Self::WrongSize,
@@ -59,6 +62,7 @@ impl Verdict {
             Self::Differs => "differs",
             Self::ExpectationFailed => "expectation_failed",
             Self::RelationFailed => "relation_failed",
+            Self::Unsteady => "unsteady",
             Self::MissingGolden => "missing_golden",
             Self::OrphanGolden => "orphan_golden",
             Self::WrongSize => "wrong_size",
@@ -126,6 +130,9 @@ pub struct Outcome {
     pub comparison: Option<Comparison>,
     /// What the difference from the golden lies on, the most blamed first.
     pub blamed: Vec<Blamed>,
+    /// Line and column in the fixture's file, from 1, of what is to be looked at
+    /// first; `None` for a match and where the file does not say.
+    pub place: Option<(usize, usize)>,
     /// Width and height of the picture.
     pub size: Option<(u32, u32)>,
     /// How long reading and rendering took, in milliseconds.
@@ -152,6 +159,7 @@ impl Outcome {
             has_later_golden: false,
             comparison: None,
             blamed: Vec::new(),
+            place: None,
             size: None,
             render_ms: 0.0,
             compare_ms: 0.0,

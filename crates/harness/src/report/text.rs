@@ -35,6 +35,7 @@ pub struct Reader {
 ///     has_later_golden: false,
 ///     comparison: None,
 ///     blamed: vec![],
+///     place: None,
 ///     size: Some((64, 48)),
 ///     render_ms: 1.0,
 ///     compare_ms: 0.0,
