@@ -50,7 +50,8 @@ pub enum LastFailedError {
 /// Nothing is left: that would be a check that asks nothing.
 pub fn select(suite: &Suite, selection: &Selection) -> Result<Selection, LastFailedError> {
     let failed = read(suite).ok_or(LastFailedError::Unknown)?;
-    let of = |names: &[String]| names.iter().filter(|name| failed.contains(*name)).cloned().collect();
+    let of =
+        |names: &[String]| names.iter().filter(|name| failed.contains(*name)).cloned().collect();
     let left = Selection { fixtures: of(&selection.fixtures), orphans: of(&selection.orphans) };
     let is_there = |name: &String| {
         store::is_file(&suite.fixture_path(name)) || store::is_file(&suite.golden_path(name))

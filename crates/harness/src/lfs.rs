@@ -19,7 +19,9 @@ mod tests {
         let pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 9\n";
         let said = pointer_problem(pointer, "mesh").unwrap();
         assert_eq!(said, "is a Git LFS pointer, not the mesh: run `git lfs pull`");
-        for other in [&b""[..], b"version", b"\x89PNG", b"(version: 1)", b" version https://git-lfs"] {
+        for other in
+            [&b""[..], b"version", b"\x89PNG", b"(version: 1)", b" version https://git-lfs"]
+        {
             assert_eq!(pointer_problem(other, "mesh"), None);
         }
     }

@@ -67,6 +67,11 @@ impl Suite {
         format!("fixtures/{name}.ron")
     }
 
+    /// A golden's file relative to the suite.
+    pub fn golden_label(name: &str) -> String {
+        format!("golden/{name}.png")
+    }
+
     /// The folder of the goldens.
     pub fn golden_folder(&self) -> PathBuf {
         self.root.join("golden")

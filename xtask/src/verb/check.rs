@@ -1,80 +1,107 @@
 //! `check`: judge fixtures against their goldens.
 
+mod outputs;
+mod say;
+
 use std::hash::{BuildHasher, Hasher, RandomState};
-use std::path::PathBuf;
 use std::time::Instant;
 
+use harness::last_failed;
 use harness::recheck::{Rechecked, recheck};
-use harness::report::{outcome_line, run_json, summarize};
+use harness::report::summarize;
 use harness::run;
-use harness::suite::Suite;
-use harness::verdict::{Origin, Outcome, Verdict};
+use harness::steady::run_repeatedly;
+use harness::store::StoreError;
+use harness::suite::{Selection, Suite};
+use harness::verdict::Outcome;
 
+use outputs::Outputs;
+use say::Say;
 use xtask::progress::Progress;
 use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `check`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = AFTER_HELP)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
     filters: Vec<String>,
-    /// Also write everything to this file as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    /// Of those, the ones that were no match when last checked
+    #[arg(long)]
+    last_failed: bool,
+    /// Render each so many times: any difference in bits is the verdict unsteady
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..))]
+    repeat: Option<u32>,
     /// Render every fixture, also those that nothing changed for since they were last a match
     #[arg(long)]
     no_cache: bool,
+    #[command(flatten)]
+    outputs: Outputs,
+    #[command(flatten)]
+    say: Say,
 }
 
-pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
-    let suite = here.suite()?;
-    let started = Instant::now();
-    let selection = suite.select(&args.filters)?;
-    let progress = Progress::start("checking", selection.fixtures.len() + selection.orphans.len());
-    let advance = |outcome: &Outcome| progress.advance(&outcome.name);
-    // A build server has time, and its record would be one that nobody made.
-    let Rechecked { outcomes, unkept } = if args.no_cache || std::env::var_os("CI").is_some() {
-        Rechecked { outcomes: run::run(&suite, &selection, &advance)?, unkept: None }
-    } else {
-        recheck(&suite, &selection, random(), &advance)?
-    };
-    progress.finish();
+const AFTER_HELP: &str = "\
+Exit codes: 0 all match, 1 something does not, 2 could not ask.
 
-    let reader = here.reader(&suite);
-    for outcome in outcomes.iter().filter(|outcome| outcome.verdict != Verdict::Match) {
-        println!("{}", outcome_line(outcome, &reader));
+Examples:
+  cargo xtask check                             judge every fixture
+  cargo xtask check 'box/from-*' torus          those of a pattern or with \"torus\" in their name
+  cargo xtask check --last-failed               those that were no match, until all are
+  cargo xtask check sphere --repeat 20          are renders the same each time?
+  cargo xtask check --json a.json --junit a.xml write what docs/ci.md describes";
+
+pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
+    args.say.begin();
+    let suite = here.suite()?;
+    args.outputs.may_write(here)?;
+    let started = Instant::now();
+    let mut selection = suite.select(&args.filters)?;
+    if args.last_failed {
+        selection = last_failed::select(&suite, &selection)?;
     }
-    say_audited(&outcomes);
+    let Rechecked { outcomes, unkept } = judge(&suite, &selection, args)?;
     let elapsed = started.elapsed().as_secs_f64();
+
+    let (say, reader) = (&args.say, here.reader(&suite));
+    say.outcomes(&outcomes, &reader);
+    if args.repeat.is_none() {
+        say.slow(&suite, &outcomes, &reader);
+    }
+    say.audited(&outcomes);
     let summary = summarize(&outcomes);
     if summary.belied > 0 && unkept.is_none() {
         println!("{} was wrong: it is removed, and everything was rendered", Suite::RECORD);
     }
-    println!("{summary} ({elapsed:.2} s)");
+    say.summary(&summary, elapsed);
     if let Some(why) = &unkept {
         println!("the record of matches could not be kept: {why}");
     }
-    if let Some(path) = &args.json {
-        let json = serde_json::to_string_pretty(&run_json(&outcomes, elapsed * 1e3))?;
-        here.write(path, json.as_bytes())?;
+    let is_all = args.filters.is_empty() && !args.last_failed;
+    if let Err(why) = last_failed::keep(&suite, &outcomes, is_all) {
+        println!("what failed could not be kept for --last-failed: {why}");
     }
+    args.outputs.write(here, &suite, &outcomes, elapsed * 1e3)?;
     Ok(if summary.is_green() { Answer::Yes } else { Answer::No })
 }
 
-/// Which fixtures were rendered although nothing had changed for them.
-fn say_audited(outcomes: &[Outcome]) {
-    const SHOWN: usize = 8;
-    let is_audited = |o: &&Outcome| matches!(o.origin, Origin::Audited | Origin::Belied);
-    let names: Vec<_> = outcomes.iter().filter(is_audited).map(|o| o.name.as_str()).collect();
-    if names.is_empty() {
-        return;
-    }
-    let more = match names.len().saturating_sub(SHOWN) {
-        0 => String::new(),
-        more => format!(" and {more} more, see --json"),
+fn judge(suite: &Suite, selection: &Selection, args: &Args) -> Result<Rechecked, StoreError> {
+    let total = selection.fixtures.len() + selection.orphans.len();
+    let progress =
+        if args.say.quiet { Progress::silent() } else { Progress::start("checking", total) };
+    let advance = |outcome: &Outcome| progress.advance(&outcome.name);
+    let every = |outcomes| Rechecked { outcomes, unkept: None };
+    // A build server has time, and its record would be one that nobody made.
+    let judged = if let Some(repeats) = args.repeat {
+        run_repeatedly(suite, selection, repeats, &advance).map(every)
+    } else if args.no_cache || std::env::var_os("CI").is_some() {
+        run::run(suite, selection, &advance).map(every)
+    } else {
+        recheck(suite, selection, random(), &advance)
     };
-    println!("audited: {}{more}", names[..names.len().min(SHOWN)].join(", "));
+    progress.finish();
+    judged
 }
 
 /// Another number each time, from the randomness of the system that the

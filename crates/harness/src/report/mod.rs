@@ -1,8 +1,18 @@
-//! What a run says: to people, a line each; to machines, JSON.
+//! What a run says: to people, a line each; to machines, JSON; to build servers
+//! what they show of it.
 
+mod github;
 mod json;
+mod junit;
+mod markdown;
+mod summary;
 mod text;
+mod worst;
 
+pub use github::annotations;
 pub(crate) use json::{blamed, distances};
 pub use json::{comparison_json, run_json};
-pub use text::{Reader, Summary, comparison_lines, numbers, outcome_line, summarize};
+pub use junit::junit;
+pub use markdown::markdown;
+pub use summary::{Summary, summarize};
+pub use text::{Reader, brief_line, comparison_lines, full_line, numbers, outcome_line};

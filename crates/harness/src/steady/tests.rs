@@ -48,7 +48,6 @@ fn check(disturbances: &[Option<((u32, u32), u32)>], expected: &str) {
     assert!(!verdict.can_be_blessed());
 }
 
-
 #[test]
 fn the_same_bits_each_time_are_steady() {
     for steady in [&[][..], &[None], &[None; 5]] {
@@ -102,10 +101,10 @@ fn other_codes_sizes_and_refusals_are_noticed() {
 #[test]
 fn it_is_the_verdict_whatever_else_is_wrong_and_leaves_a_strip() {
     let (_folder, suite) = blessed();
-    let picture = golden::from_png(
-        &store::read(&suite.golden_path("a"), 1 << 20).unwrap().unwrap(),
-    );
-    let black = crate::encode::EncodedImage::from_fn(picture.unwrap().picture.size(), |_, _| [0; 3]);
+    let picture =
+        golden::from_png(&store::read(&suite.golden_path("a"), 1 << 20).unwrap().unwrap());
+    let black =
+        crate::encode::EncodedImage::from_fn(picture.unwrap().picture.size(), |_, _| [0; 3]);
     store::write(&suite.golden_path("a"), &golden::to_png(&black, None).unwrap()).unwrap();
     let judge = |suite: &Suite, name: &str| {
         judge_repeatedly(suite, name, 2, &mut |fixture| {

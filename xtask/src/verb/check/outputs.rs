@@ -1,0 +1,99 @@
+//! `Outputs`: what a check writes for others to read: files, and what a build
+//! server shows.
+
+use std::path::{Path, PathBuf};
+
+use harness::report::{Reader, annotations, junit, markdown, run_json};
+use harness::store;
+use harness::suite::Suite;
+use harness::verdict::Outcome;
+
+use xtask::{CannotAsk, Here};
+
+/// Flags of what is written.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Outputs {
+    /// Also write everything to this file as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Also write it to this file as JUnit XML, for build servers
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Also write a summary to this file as Markdown
+    #[arg(long, value_name = "FILE")]
+    summary: Option<PathBuf>,
+    /// Also print failures as GitHub's runner shows them, and append the summary to the file
+    /// that it names [default: where `GITHUB_ACTIONS` is true]
+    #[arg(long)]
+    github: bool,
+}
+
+/// GitHub takes so many bytes of a step's summary, or none of it.
+const GITHUB_SUMMARY_BYTES: usize = 1 << 20;
+
+impl Outputs {
+    /// Refuses files that cannot be written, before the work of rendering.
+    pub(crate) fn may_write(&self, here: &Here) -> Result<(), CannotAsk> {
+        let files = [&self.json, &self.junit, &self.summary];
+        files.into_iter().flatten().try_for_each(|file| here.may_write(file))?;
+        self.step_summary().map_or(Ok(()), |file| here.may_write(&file))
+    }
+
+    /// Writes and prints all that is asked for.
+    pub(crate) fn write(
+        &self,
+        here: &Here,
+        suite: &Suite,
+        outcomes: &[Outcome],
+        elapsed_ms: f64,
+    ) -> Result<(), CannotAsk> {
+        let reader = here.reader(suite);
+        if let Some(path) = &self.json {
+            let json = serde_json::to_string_pretty(&run_json(outcomes, elapsed_ms))?;
+            here.write(path, json.as_bytes())?;
+        }
+        if let Some(path) = &self.junit {
+            here.write(path, junit(outcomes, elapsed_ms, &reader).as_bytes())?;
+        }
+        let summary = |max_bytes| markdown(outcomes, elapsed_ms, &reader, max_bytes);
+        if let Some(page) = self.summary.as_ref().and_then(|_| summary(usize::MAX)) {
+            self.summary.iter().try_for_each(|path| here.write(path, page.as_bytes()))?;
+        }
+        if self.is_github() {
+            let path_prefix = in_repository(suite)?;
+            print!("{}", annotations(outcomes, &Reader { path_prefix, ..reader.clone() }));
+        }
+        if let Some(path) = self.step_summary() {
+            // What another command of this step has written stays.
+            let found = store::read(&path, GITHUB_SUMMARY_BYTES as u64)?.unwrap_or_default();
+            let page = summary(GITHUB_SUMMARY_BYTES.saturating_sub(found.len() + 1));
+            if let Some(page) = page {
+                here.write(&path, &[&found[..], b"\n", page.as_bytes()].concat())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn is_github(&self) -> bool {
+        self.github || std::env::var_os("GITHUB_ACTIONS").is_some_and(|value| value == "true")
+    }
+
+    /// Where the runner takes a summary from, if it is one.
+    fn step_summary(&self) -> Option<PathBuf> {
+        let file = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|file| !file.is_empty());
+        file.filter(|_| self.is_github()).map(PathBuf::from)
+    }
+}
+
+/// What is before a path of the suite where paths are relative to the
+/// repository: that of the runner, or else the current folder.
+fn in_repository(suite: &Suite) -> Result<String, CannotAsk> {
+    let workspace = std::env::var_os("GITHUB_WORKSPACE").map(PathBuf::from);
+    let repository = workspace.map_or_else(std::env::current_dir, Ok)?;
+    let (repository, root) = (store::real_path(&repository)?, store::real_path(suite.root())?);
+    // A suite elsewhere is named in full.
+    let inside = root.strip_prefix(&repository).unwrap_or(&root);
+    // Joining nothing ends the path in one slash.
+    let is_here = inside == Path::new("");
+    Ok(if is_here { String::new() } else { inside.join("").display().to_string() })
+}
