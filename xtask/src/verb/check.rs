@@ -53,7 +53,6 @@ Examples:
   cargo xtask check --json a.json --junit a.xml write what docs/ci.md describes";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
-    args.say.begin();
     let suite = here.suite()?;
     args.outputs.may_write(here)?;
     let started = Instant::now();

@@ -21,7 +21,8 @@ pub fn annotations(outcomes: &[Outcome], reader: &Reader) -> String {
     for outcome in failures.iter().take(SHOWN) {
         let (line, column) = outcome.place.unwrap_or((1, 1));
         let title = format!("{}: {}", outcome.verdict.words(), outcome.name);
-        let mut message = reasons(outcome, reader);
+        let reasons = reasons(outcome, reader);
+        let mut message: Vec<_> = reasons.iter().map(|why| why.trim_end().to_owned()).collect();
         message.extend(advice(outcome, reader));
         message.push(format!("again: {}", rerun(outcome, reader)));
         // Writing to a String cannot fail.
@@ -30,7 +31,7 @@ pub fn annotations(outcomes: &[Outcome], reader: &Reader) -> String {
             "::error file={},line={line},col={column},title={}::{}",
             property(&file(outcome, reader)),
             property(&title),
-            data(message.join("\n").trim_end())
+            data(&message.join("\n"))
         );
     }
     if let Some(more @ 1..) = failures.len().checked_sub(SHOWN) {

@@ -1,6 +1,6 @@
 //! `Say`: how much a check prints, and in which colors.
 
-use anstream::ColorChoice;
+use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 use harness::report::{Reader, Summary, brief_line, full_line, outcome_line};
 use harness::slow::{SLOW_MS, slowest};
@@ -32,14 +32,15 @@ const GOOD: Style = AnsiColor::Green.on_default().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
 impl Say {
-    /// Takes the choice of colors for all that is printed.
-    pub(crate) fn begin(&self) {
-        match self.color {
-            Color::Auto => ColorChoice::Auto,
-            Color::Always => ColorChoice::Always,
-            Color::Never => ColorChoice::Never,
-        }
-        .write_global();
+    /// The text in a style, where there are colors.
+    fn painted(&self, text: &str, style: Style) -> String {
+        let is_colored = match self.color {
+            // Knows terminals and the variables by which people ask for none.
+            Color::Auto => AutoStream::choice(&std::io::stdout()) != ColorChoice::Never,
+            Color::Always => true,
+            Color::Never => false,
+        };
+        if is_colored { format!("{style}{text}{style:#}") } else { text.to_owned() }
     }
 
     /// A line for each that is to be seen.
@@ -54,7 +55,7 @@ impl Say {
             let words = outcome.verdict.words();
             let (words, rest) = line.split_at(words.len());
             let style = if outcome.verdict == Verdict::Match { GOOD } else { BAD };
-            anstream::println!("{style}{words}{style:#}{rest}");
+            println!("{}{rest}", self.painted(words, style));
         }
     }
 
@@ -92,6 +93,6 @@ impl Say {
     /// How many of each verdict.
     pub(crate) fn summary(&self, summary: &Summary, seconds: f64) {
         let style = if summary.is_green() { GOOD } else { BAD };
-        anstream::println!("{style}{summary}{style:#} ({seconds:.2} s)");
+        println!("{} ({seconds:.2} s)", self.painted(&summary.to_string(), style));
     }
 }
