@@ -87,8 +87,9 @@ fn row(outcome: &Outcome, reader: &Reader) -> String {
 
 /// Text in a cell of a table.
 fn prose(text: &str) -> String {
-    // Without the space of no width, a name behind the sign would be mentioned.
-    plain(text).replace("&#64;", "&#64;&#8203;")
+    // Without the space of no width, a name behind the one would be mentioned, and
+    // a word between two of the others be a little picture.
+    plain(text).replace("&#64;", "&#64;&#8203;").replace("&#58;", "&#58;&#8203;")
 }
 
 /// A name or a command in a cell of a table, to be copied letter by letter: no
@@ -97,8 +98,10 @@ fn code(text: &str) -> String {
     format!("<code>{}</code>", plain(text))
 }
 
-/// Text whose every sign is itself, as a number for all but letters, digits and
-/// what never means anything; a cell has no lines.
+/// What may mean something inside a line, on GitHub or elsewhere.
+const SIGNS: &str = "\\`*_[]<>|~#@&$:";
+
+/// Text in which every sign is itself, in one line as cells are.
 ///
 /// Source: CommonMark, 2.5: no reference to a character is taken for structure.
 fn plain(text: &str) -> String {
@@ -107,7 +110,7 @@ fn plain(text: &str) -> String {
         match c {
             '\n' => out.push_str("<br>"),
             c if c.is_control() => out.push('\u{fffd}'),
-            c if c.is_ascii_punctuation() && !"/,;?%".contains(c) => {
+            c if SIGNS.contains(c) => {
                 let _ = write!(out, "&#{};", u32::from(c));
             }
             c => out.push(c),
@@ -131,16 +134,14 @@ mod tests {
     #[test]
     fn no_sign_means_anything() {
         check("a|b", "a&#124;b");
-        check("`rm -rf`", "&#96;rm &#45;rf&#96;");
-        check("<img src=x>", "&#60;img src&#61;x&#62;");
+        check("`rm -rf`", "&#96;rm -rf&#96;");
+        check("<img src=x>", "&#60;img src=x&#62;");
         check("@octocat", "&#64;&#8203;octocat");
-        check(
-            "&lt;*_#!$~[x](y)\\",
-            "&#38;lt;&#42;&#95;&#35;&#33;&#36;&#126;&#91;x&#93;&#40;y&#41;&#92;",
-        );
+        check("&lt;*_#$~[x](y)\\", "&#38;lt;&#42;&#95;&#35;&#36;&#126;&#91;x&#93;(y)&#92;");
+        check("a:100:b", "a&#58;&#8203;100&#58;&#8203;b");
         check("one\ntwo\n", "one<br>two");
         check("a\r\u{1b}[1m", "a\u{fffd}\u{fffd}&#91;1m");
-        assert_eq!(code("bless 'a|`@b`'"), "<code>bless &#39;a&#124;&#96;&#64;b&#96;&#39;</code>");
+        assert_eq!(code("bless 'a|`@b`'"), "<code>bless 'a&#124;&#96;&#64;b&#96;'</code>");
     }
 
     fn failing(n: usize) -> Vec<Outcome> {
@@ -163,7 +164,7 @@ mod tests {
         let page = markdown(&all, 1234.0, &Reader::default(), LARGE).unwrap();
         let expected = "### goldray: 1 of 2 do not match\n\n2 judged: 1 match, 1 differs (1.23 s)\n\n\
                         | fixture | verdict | why | what to do |\n|---|---|---|---|\n\
-                        | <code>fixtures/a/f000&#46;ron&#58;14&#58;9</code> | differs | expected \
+                        | <code>fixtures/a/f000.ron&#58;14&#58;9</code> | differs | expected \
                         identical pictures | if meant: <code>cargo xtask bless a/f000</code> |\n";
         assert_eq!(page, expected);
         let green = markdown(&all[1..], 0.0, &Reader::default(), LARGE).unwrap();
