@@ -97,7 +97,7 @@ fn main() -> ExitCode {
         Verb::Lint(args) => verb::lint::run(&here, &args),
         Verb::Calibrate(args) => verb::calibrate::run(&here, &args),
         Verb::Stress(args) => verb::elsewhere::stress(&here, &["stress"], &args),
-        Verb::Completions(args) => verb::completions::run(Cli::command(), &args),
+        Verb::Completions(args) => Ok(verb::completions::run(Cli::command(), &args)),
     };
     exit_code(answer)
 }

@@ -191,8 +191,9 @@ fn annotations_are_on_the_lines_that_failures_are_about() {
     assert_eq!(errors.len(), 10, "{printed}");
     let on = |name: &str, line: u32, column: u32| {
         let start = format!("::error file={SUITE}/fixtures/{name}.ron,line={line},col={column},");
-        let found = errors.iter().find(|error| error.starts_with(&start));
-        (*found.unwrap_or_else(|| panic!("expected {start} in {errors:#?}"))).to_owned()
+        let found = errors.iter().copied().find(|error| error.starts_with(&start));
+        assert!(found.is_some(), "expected {start} in {errors:#?}");
+        found.unwrap_or_default().to_owned()
     };
     let first = errors[0];
     assert!(first.contains("title=render refused%3A refused::"), "the worst first: {first}");

@@ -8,10 +8,11 @@ use std::time::Instant;
 
 use harness::last_failed;
 use harness::recheck::{Rechecked, recheck};
+use harness::report::page::{self, Kind};
 use harness::report::summarize;
 use harness::run;
 use harness::steady::run_repeatedly;
-use harness::store::StoreError;
+use harness::store::{self, StoreError};
 use harness::suite::{Selection, Suite};
 use harness::verdict::Outcome;
 
@@ -80,6 +81,11 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let is_all = args.filters.is_empty() && !args.last_failed;
     if let Err(why) = last_failed::keep(&suite, &outcomes, is_all) {
         println!("what failed could not be kept for --last-failed: {why}");
+    }
+    let page = page::html(&suite, &outcomes, elapsed * 1e3, Kind::Report, &reader);
+    store::write(&suite.root().join(Suite::REPORT), page.as_bytes())?;
+    if !say.quiet {
+        println!("report: {}{}", reader.path_prefix, Suite::REPORT);
     }
     args.outputs.write(here, &suite, &outcomes, elapsed * 1e3)?;
     Ok(if summary.is_green() { Answer::Yes } else { Answer::No })

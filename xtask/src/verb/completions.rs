@@ -2,7 +2,7 @@
 
 use clap_complete::{Shell, generate};
 
-use xtask::{Answer, CannotAsk};
+use xtask::Answer;
 
 /// Flags of `completions`.
 #[derive(Debug, clap::Args)]
@@ -33,10 +33,10 @@ Examples:
     function goldray { cargo xtask @args }
     cargo xtask completions powershell | Out-String | Invoke-Expression";
 
-pub(crate) fn run(mut command: clap::Command, args: &Args) -> Result<Answer, CannotAsk> {
+pub(crate) fn run(mut command: clap::Command, args: &Args) -> Answer {
     // Printed here and not there, where a reader that leaves would be a panic.
     let mut script = Vec::new();
     generate(args.shell, &mut command, COMMAND, &mut script);
     print!("{}", String::from_utf8_lossy(&script));
-    Ok(Answer::Yes)
+    Answer::Yes
 }

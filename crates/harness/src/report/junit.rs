@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
 use super::json::distances;
-use super::text::{Reader, advice, file, reasons, rerun};
+use super::text::{Reader, advice, evidence, file, rerun};
 use crate::verdict::{Origin, Outcome, Verdict};
 
 /// A run: a `testsuite` for each area, a `testcase` for each fixture. What has
@@ -108,10 +108,8 @@ fn details(outcome: &Outcome, reader: &Reader) -> String {
     let file = file(outcome, reader);
     let place = outcome.place.map(|(line, column)| format!(":{line}:{column}"));
     let mut lines = vec![format!("{file}{}", place.unwrap_or_default())];
-    // All of them, where a line for people has the first.
-    let few = Outcome { findings: Vec::new(), ..outcome.clone() };
     lines.extend(outcome.findings.iter().map(|finding| finding.trim_end().to_owned()));
-    lines.extend(reasons(&few, reader));
+    lines.extend(evidence(outcome, reader));
     lines.extend(advice(outcome, reader));
     lines.push(format!("again: {}", rerun(outcome, reader)));
     lines.join("\n")

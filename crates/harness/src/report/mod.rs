@@ -1,17 +1,18 @@
-//! What a run says: to people, a line each; to machines, JSON; to build servers
-//! what they show of it.
+//! What a run says: to people, a line each or a page; to machines, JSON; to
+//! build servers what they show of it.
 
 mod github;
 mod json;
 mod junit;
 mod markdown;
+pub mod page;
 mod summary;
 mod text;
 mod worst;
 
 pub use github::annotations;
 pub(crate) use json::{blamed, distances};
-pub use json::{comparison_json, run_json};
+pub use json::{comparison_json, metrics_json, run_json};
 pub use junit::junit;
 pub use markdown::markdown;
 pub use summary::{Summary, summarize};

@@ -38,6 +38,7 @@ pub struct Reader {
 ///     compare_ms: 0.0,
 ///     relate_ms: 0.0,
 ///     strip: Some("target/goldray/sphere/far.png".to_owned()),
+///     evidence: None,
 ///     origin: Origin::Rendered,
 /// };
 /// assert_eq!(
@@ -60,8 +61,8 @@ pub fn brief_line(outcome: &Outcome, reader: &Reader) -> String {
     let head = format!("{:<19} {}", outcome.verdict.words(), outcome.name);
     if outcome.verdict == Verdict::RenderRefused {
         let details = outcome.findings.iter().flat_map(|f| f.lines());
-        let details = details.map(|line| format!("    {line}\n")).collect::<String>();
-        return format!("{head}\n{details}").trim_end().to_owned();
+        let details = details.map(|line| format!("\n    {line}"));
+        return std::iter::once(head).chain(details).collect::<String>().trim_end().to_owned();
     }
     let parts = reasons(outcome, reader);
     if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
@@ -97,7 +98,7 @@ fn join(line: &str, parts: &[String]) -> String {
 
 /// Why, in as many parts as there are: findings, numbers, what is to blame.
 pub(super) fn reasons(outcome: &Outcome, reader: &Reader) -> Vec<String> {
-    let Outcome { name, findings, comparison, blamed, .. } = outcome;
+    let findings = &outcome.findings;
     let mut parts = Vec::new();
     if !findings.is_empty() {
         let more = match findings.len().saturating_sub(SHOWN) {
@@ -107,6 +108,14 @@ pub(super) fn reasons(outcome: &Outcome, reader: &Reader) -> Vec<String> {
         let shown = &findings[..findings.len().min(SHOWN)];
         parts.push(format!("{}{more}", shown.join("; ")));
     }
+    parts.extend(evidence(outcome, reader));
+    parts
+}
+
+/// The numbers that say most, and what is to blame.
+pub(super) fn evidence(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    let Outcome { name, comparison, blamed, .. } = outcome;
+    let mut parts = Vec::new();
     if let Some(comparison) = comparison.as_ref().filter(|c| !c.is_identical()) {
         parts.push(numbers(comparison));
     }
