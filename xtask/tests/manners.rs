@@ -126,6 +126,12 @@ fn pointers_of_git_lfs_are_named() {
         "unreadable          a: the golden is a Git LFS pointer, not the picture: {pull}"
     ));
     ran.expect(&format!("mesh \"m.obj\" is a Git LFS pointer, not the mesh: {pull}"));
+    // Nobody has looked at what it points to.
+    let ran = tree.run(&["bless", "a"]).expect_code(1);
+    ran.expect(&format!("refused   a: the golden is a Git LFS pointer, not the picture: {pull}"));
+    assert_eq!(fs::read(tree.path("golden/a.png")).unwrap(), pointer);
+    let said = tree.run(&["check", "a"]).expect_code(1).stdout();
+    assert!(!said.contains("if meant"), "{said}");
     let ran = tree.run(&["compare", "golden/a.png", "golden/b.png"]).expect_code(2);
     ran.expect(&format!("golden/a.png: is a Git LFS pointer, not the picture: {pull}"));
     tree.write("fixtures/b.ron", pointer);

@@ -10,6 +10,11 @@ pub(crate) fn pointer_problem(bytes: &[u8], thing: &str) -> Option<String> {
     is_pointer.then(|| format!("is a Git LFS pointer, not the {thing}: run `git lfs pull`"))
 }
 
+/// Whether this was said of a picture's pointer.
+pub(crate) fn is_of_pointer(problem: &str) -> bool {
+    pointer_problem(START, "picture").is_some_and(|said| said == problem)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -24,5 +29,7 @@ mod tests {
         {
             assert_eq!(pointer_problem(other, "mesh"), None);
         }
+        assert!(is_of_pointer(&pointer_problem(pointer, "picture").unwrap()));
+        assert!(!is_of_pointer(&said) && !is_of_pointer("is not a readable PNG"));
     }
 }

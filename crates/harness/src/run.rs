@@ -12,7 +12,7 @@ use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden;
 use crate::hash::content_hash;
-use crate::judge::{Found, Judgment, judge};
+use crate::judge::{Found, Judgment, judge, keeps};
 use crate::metric::Comparison;
 use crate::picture::strip;
 use crate::place;
@@ -163,7 +163,7 @@ pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outco
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
         breaks_relations: !judgment.broken_relations.is_empty(),
-        has_later_golden: matches!(&found, Found::Golden(golden) if golden.is_later()),
+        keeps_golden: keeps(&found).is_some(),
         comparison: judgment.comparison,
         blamed,
         place,

@@ -19,8 +19,9 @@ pub struct Slow {
     /// How long it took, in milliseconds. Fixtures are rendered beside each
     /// other, so that it takes less alone.
     pub render_ms: f64,
-    /// What its picture needs, as [`tracer::Plan::notes`] says it.
-    pub needs: Vec<String>,
+    /// What most of the time goes into: the size of the picture, and the gist of
+    /// what [`tracer::Plan::notes`] says of its rays.
+    pub needs: String,
 }
 
 /// The slowest of those that took `over_ms` milliseconds or more to render, the
@@ -34,10 +35,24 @@ pub fn slowest(suite: &Suite, outcomes: &[Outcome], over_ms: f64) -> Vec<Slow> {
         let (name, render_ms) = (outcome.name.clone(), outcome.render_ms);
         let path = suite.fixture_path(&name);
         let fixture = Fixture::open(&Suite::fixture_label(&name), &path, Build::default()).ok()?;
-        let needs = fixture.plan(Skipping::On).notes().to_vec();
-        Some(Slow { name, render_ms, needs })
+        let size = fixture.scene.size();
+        let size = format!("{} x {} pixels", size.width, size.height);
+        let plan = fixture.plan(Skipping::On);
+        let needs: Vec<_> = std::iter::once(&*size).chain(gist(plan.notes())).collect();
+        Some(Slow { name, render_ms, needs: needs.join("; ") })
     };
     slow.iter().filter_map(with_needs).take(SHOWN).collect()
+}
+
+/// Which samples there are, and what they meet, without what is skipped of it.
+fn gist(notes: &[String]) -> impl Iterator<Item = &str> {
+    const TOLD: [&str; 3] = ["eye rays: ", "shapes: ", "shadow rays: "];
+    const DETAILS: [&str; 3] = [";", ", held", ", from"];
+    let told = notes.iter().filter(|note| TOLD.iter().any(|begin| note.starts_with(begin)));
+    told.map(|note| {
+        let ends = DETAILS.iter().filter_map(|detail| note.find(detail));
+        &note[..ends.min().unwrap_or(note.len())]
+    })
 }
 
 #[cfg(test)]
@@ -67,7 +82,9 @@ mod tests {
         assert_eq!(names(6.5), ["b", "c"]);
         assert!(names(8.0).is_empty());
         let needs = &told(1.0)[0].needs;
-        assert!(needs.iter().any(|line| line.starts_with("shapes: 1 ")), "{needs:?}");
+        let expected = "96 x 72 pixels; eye rays: 1 sample on a grid a pixel, in 84 of 108 tiles of \
+                        8 x 8 pixels; shapes: 1 sphere, 1 plane; shadow rays: towards 1 light";
+        assert_eq!(needs, expected);
         // One that has gone meanwhile.
         store::remove(&suite.fixture_path("b")).unwrap();
         assert_eq!(names(1.0), ["c", "d", "a"]);

@@ -124,9 +124,9 @@ pub struct Outcome {
     pub breaks_expectations: bool,
     /// Whether the picture breaks a relation of its fixture, likewise.
     pub breaks_relations: bool,
-    /// Whether a newer goldray accepted the golden, so that this one must not
-    /// replace it.
-    pub has_later_golden: bool,
+    /// Whether the golden must not be replaced, as nobody here has looked at it: a
+    /// newer goldray accepted it, or Git LFS has not fetched it.
+    pub keeps_golden: bool,
     /// The metrics, where picture and golden could be compared.
     pub comparison: Option<Comparison>,
     /// What the difference from the golden lies on, the most blamed first.
@@ -159,7 +159,7 @@ impl Outcome {
             findings: Vec::new(),
             breaks_expectations: false,
             breaks_relations: false,
-            has_later_golden: false,
+            keeps_golden: false,
             comparison: None,
             blamed: Vec::new(),
             place: None,
@@ -180,9 +180,7 @@ impl Outcome {
         match self.verdict {
             Verdict::OrphanGolden => Some(format!("bless --prune {name}")),
             verdict
-                if verdict.can_be_blessed()
-                    && !self.breaks_its_word()
-                    && !self.has_later_golden =>
+                if verdict.can_be_blessed() && !self.breaks_its_word() && !self.keeps_golden =>
             {
                 Some(format!("bless {name}"))
             }

@@ -37,8 +37,8 @@ pub fn annotations(outcomes: &[Outcome], reader: &Reader) -> String {
     if let Some(more @ 1..) = failures.len().checked_sub(SHOWN) {
         let _ = writeln!(
             text,
-            "::notice title=goldray::{more} more of the {} failures are not shown here: see the \
-             summary",
+            "::notice title=goldray::{more} more of the {} failures are not shown here: all \
+             are in the log",
             failures.len()
         );
     }

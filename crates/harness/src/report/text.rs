@@ -29,7 +29,7 @@ pub struct Reader {
 ///     findings: vec!["there is no golden".to_owned()],
 ///     breaks_expectations: false,
 ///     breaks_relations: false,
-///     has_later_golden: false,
+///     keeps_golden: false,
 ///     comparison: None,
 ///     blamed: vec![],
 ///     place: None,

@@ -81,12 +81,12 @@ impl Say {
         }
         for slow in slowest(suite, outcomes, SLOW_MS) {
             let seconds = slow.render_ms / 1e3;
-            println!("slow: {} took {seconds:.1} s beside the others", slow.name);
-            for need in &slow.needs {
-                println!("    {need}");
-            }
-            let (flag, name) = (&reader.root_flag, shell_word(&slow.name));
-            println!("    alone: cargo xtask{flag} render {name} --explain --stats FILE");
+            let (flag, word) = (&reader.root_flag, shell_word(&slow.name));
+            println!(
+                "slow: {} took {seconds:.1} s beside the others: {} | all of it: cargo xtask{flag} \
+                 render {word} --explain",
+                slow.name, slow.needs
+            );
         }
     }
 
