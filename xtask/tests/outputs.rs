@@ -235,6 +235,15 @@ fn what_github_is_told_can_be_had_anywhere_and_left_out_elsewhere() {
     tree.write("step.md", &full);
     assert!(said(&["check", "--github"], &[("GITHUB_STEP_SUMMARY", "step.md")]));
     assert!(fs::read(tree.path("step.md")).unwrap() == full);
+    tree.write("step.md", &[&full[..], &[b'x'; 10]].concat());
+    let variables = [("GITHUB_STEP_SUMMARY", "step.md")];
+    let ran = tree.run_with(&["check", "--github"], &variables).expect_code(1);
+    ran.expect("the summary of this step could not be added to: step.md: is larger than");
+    // A suite that is not in the repository is named in full.
+    let variables = [("GITHUB_WORKSPACE", "fixtures"), ("GITHUB_ACTIONS", "true")];
+    let whole = tree.path("").canonicalize().unwrap().join("fixtures/a.ron");
+    let ran = tree.run_with(&["check"], &variables).expect_code(1);
+    ran.expect(&format!("::error file={},line=1,", whole.display()));
     // Nor does anything go among fixtures and goldens.
     for flag in ["--junit", "--summary", "--json"] {
         let ran = tree.run(&["check", flag, "fixtures/a.ron"]).expect_code(2);

@@ -64,11 +64,9 @@ impl Outputs {
             print!("{}", annotations(outcomes, &Reader { path_prefix, ..reader.clone() }));
         }
         if let Some(path) = self.step_summary() {
-            // What another command of this step has written stays.
-            let found = store::read(&path, GITHUB_SUMMARY_BYTES as u64)?.unwrap_or_default();
-            let page = summary(GITHUB_SUMMARY_BYTES.saturating_sub(found.len() + 1));
-            if let Some(page) = page {
-                here.write(&path, &[&found[..], b"\n", page.as_bytes()].concat())?;
+            // The user named no such file: what becomes of it changes no answer.
+            if let Err(CannotAsk(why)) = add(here, &path, &summary) {
+                println!("the summary of this step could not be added to: {why}");
             }
         }
         Ok(())
@@ -85,15 +83,26 @@ impl Outputs {
     }
 }
 
+/// Adds the page of at most so many bytes to the runner's file, if one fits.
+fn add(here: &Here, path: &Path, page: &dyn Fn(usize) -> Option<String>) -> Result<(), CannotAsk> {
+    // What another command of this step has written stays.
+    let found = store::read(path, GITHUB_SUMMARY_BYTES as u64)?.unwrap_or_default();
+    match page(GITHUB_SUMMARY_BYTES.saturating_sub(found.len() + 1)) {
+        Some(page) => here.write(path, &[&found[..], b"\n", page.as_bytes()].concat()),
+        None => Ok(()),
+    }
+}
+
 /// What is before a path of the suite where paths are relative to the
 /// repository: that of the runner, or else the current folder.
 fn in_repository(suite: &Suite) -> Result<String, CannotAsk> {
     let workspace = std::env::var_os("GITHUB_WORKSPACE").map(PathBuf::from);
     let repository = workspace.map_or_else(std::env::current_dir, Ok)?;
     let (repository, root) = (store::real_path(&repository)?, store::real_path(suite.root())?);
-    // A suite elsewhere is named in full.
-    let inside = root.strip_prefix(&repository).unwrap_or(&root);
-    // Joining nothing ends the path in one slash.
-    let is_here = inside == Path::new("");
-    Ok(if is_here { String::new() } else { inside.join("").display().to_string() })
+    Ok(match root.strip_prefix(&repository) {
+        // With slashes, whatever the system has.
+        Ok(inside) => inside.iter().map(|part| part.to_string_lossy() + "/").collect(),
+        // A suite elsewhere is named in full; joining nothing ends it in a slash.
+        Err(_) => root.join("").display().to_string(),
+    })
 }
