@@ -20,16 +20,16 @@ A shell completes by the first word, and that of `cargo xtask` is cargo's. So gi
 of its own, and complete that: goldray check --last-<TAB>
 
 Examples:
-  bash, in ~/.bashrc:
+  bash, with its package bash-completion; the function also in ~/.bashrc:
     goldray() { cargo xtask \"$@\"; }
-    source <(cargo xtask completions bash)     # from a folder of this repository
-  zsh, in ~/.zshrc, after compinit:
+    cargo xtask completions bash > ~/.local/share/bash-completion/completions/goldray
+  zsh, where fpath has ~/.zfunc before compinit; the function also in ~/.zshrc:
     goldray() { cargo xtask \"$@\"; }
-    source <(cargo xtask completions zsh)
+    cargo xtask completions zsh > ~/.zfunc/_goldray
   fish:
     function goldray; cargo xtask $argv; end; funcsave goldray
     cargo xtask completions fish > ~/.config/fish/completions/goldray.fish
-  PowerShell, in $PROFILE:
+  PowerShell; both also in $PROFILE, with the output in a file:
     function goldray { cargo xtask @args }
     cargo xtask completions powershell | Out-String | Invoke-Expression";
 
