@@ -9,7 +9,7 @@ function section(id, title, ...children) {
 
 function findingsSection({ findings, breaks_expectations, breaks_relations }) {
   if (findings.length === 0) return null;
-  const list = (part) => element("ul", {}, part.map((finding) => element("li", {}, finding)));
+  const list = (part) => element("ul", {}, part.map((finding) => element("li", { class: finding.includes("\n") ? "text" : null }, finding)));
   const rest = findings.slice(FINDINGS_SHOWN);
   const more = rest.length > 0 ? element("details", {}, element("summary", {}, `${count(rest.length)} more`), list(rest)) : null;
   const broken = breaks_expectations || breaks_relations;

@@ -19,9 +19,8 @@ function makeFixturePage(fixture, view) {
   const forget = onDecisions(decided);
   page.root = [
     fixtureHeader(fixture, decision, decisions?.root),
-    element("div", { class: "columns" }, pictures, side),
-    sourceSection(fixture, evidence.source),
-  ].filter(Boolean);
+    element("div", { class: "columns" }, pictures, side, sourceSection(fixture, evidence.source)),
+  ];
   page.close = () => {
     page.isClosed = true;
     page.viewer?.close();
@@ -37,7 +36,10 @@ async function openViewer(page, evidence, holder) {
   try {
     const pictures = await loadPictures(fixture, evidence);
     if (page.isClosed) return;
-    const went = (id) => rewriteHash(fixtureHash(fixture.name, id));
+    const went = (id) => {
+      wantedView = id;
+      rewriteHash(fixtureHash(fixture.name, id));
+    };
     page.viewer = new Viewer(fixture, pictures, { went, showLine });
     holder.replaceChildren(page.viewer.root);
     page.viewer.open(wantedView);

@@ -6,7 +6,7 @@ const KEYS = [
   { keys: ["j", "ArrowRight"], shown: "j →", words: "next fixture", page: "fixture", act: () => goBy(1) },
   { keys: ["k", "ArrowLeft"], shown: "k ←", words: "previous fixture", page: "fixture", act: () => goBy(-1) },
   { keys: ["Escape"], shown: "Esc", words: "back to all fixtures", page: "fixture", act: () => (location.hash = overviewHash(overview.filters)) },
-  { keys: VIEWS.map((view) => view.key), shown: "1 … 8 g p", words: "a view: the first eight, the golden, the picture", page: "fixture", act: (key) => current.viewer?.show(VIEWS.find((view) => view.key === key).id) },
+  { keys: VIEWS.map((view) => view.key), shown: "1 … 8 g p", words: "a view: the first eight, the golden, the picture", page: "fixture", act: (key) => current.viewer?.choose(VIEWS.find((view) => view.key === key).id) },
   { keys: [" "], shown: "space", words: "golden or actual, while they blink", page: "fixture", act: () => current.viewer?.shown?.space?.() },
   { keys: ["+", "="], shown: "+", words: "larger", page: "fixture", act: () => current.viewer?.viewport.step(true) },
   { keys: ["-"], shown: "−", words: "smaller", page: "fixture", act: () => current.viewer?.viewport.step(false) },

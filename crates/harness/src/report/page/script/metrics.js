@@ -3,7 +3,7 @@
 function metricsSection(fixture) {
   const isTold = report.metrics.some((metric) => typeof fixture[metric.name] === "number");
   if (!isTold && fixture.limits.length === 0) return null;
-  const heads = ["metric", "value", "limit"].map((words) => element("th", { scope: "col" }, words));
+  const heads = ["metric", "value", fixture.limits.length > 0 ? "limit" : ""].map((words) => (words ? element("th", { scope: "col" }, words) : element("td")));
   const rows = report.metrics.map((metric) => metricRow(metric, fixture));
   const word = fixture.limits.length === 0 ? "It has no limits: every byte must be the same." : "What the fixture states must hold; the rest is reported.";
   return section("metrics", "Metrics", element("p", { class: "note" }, word), element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows)));
@@ -40,6 +40,5 @@ function isHigherBetter(metric) {
 }
 
 function limitWords({ limit, at_least, accepted, broken }) {
-  const held = broken ? "✗ broken" : "✓ held";
-  return element("div", { class: broken ? "limit broken" : "limit held" }, `${at_least ? "≥" : "≤"} ${metricValue(accepted)} ${held}`, unseen(` by the limit ${limit}`));
+  return element("div", { class: broken ? "limit broken" : "limit held", title: `${limit}: ${broken ? "broken" : "held"}` }, `${at_least ? "≥" : "≤"} ${metricValue(accepted)} `, element("span", { "aria-hidden": "true" }, broken ? "✗" : "✓"), unseen(`, the limit ${limit} is ${broken ? "broken" : "held"}`));
 }

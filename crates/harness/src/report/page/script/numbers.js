@@ -16,18 +16,22 @@ function duration(ms) {
   return `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms`;
 }
 
-/// A share of 1 in percent, with a digit more where it would be 0.
+/// A share of 1 in percent. None and all are only said of none and all.
 function percent(share) {
   const value = 100 * share;
-  if (value === 0) return "0 %";
+  if (value === 0 || value === 100) return `${value} %`;
   if (value < 0.01) return "< 0.01 %";
-  return `${value < 1 ? value.toFixed(2) : value.toFixed(1)} %`;
+  return `${value < 1 ? value.toFixed(2) : Math.min(value, 99.9).toFixed(1)} %`;
 }
 
-/// A metric's value: whole numbers whole, others to six digits.
+/// Smaller values would have few digits left of six decimals.
+const LEAST_OF_SIX_DECIMALS = 1e-3;
+
+/// A metric's value: whole numbers whole, others to six decimals.
 function metricValue(value) {
   if (value === null || value === undefined) return "–";
-  return Number.isInteger(value) ? count(value) : String(Number(value.toPrecision(6)));
+  if (Number.isInteger(value)) return count(value);
+  return String(Number(Math.abs(value) < LEAST_OF_SIX_DECIMALS ? value.toPrecision(3) : value.toFixed(6)));
 }
 
 /// A difference with its sign.

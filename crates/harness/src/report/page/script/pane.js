@@ -3,7 +3,7 @@
 /// From so many screen pixels per pixel on, lines part the pixels.
 const GRID_SCALE = 8;
 
-const GRID_COLOR = "rgb(128 128 128 / 0.35)";
+const GRID_COLOR = "rgb(128 128 128 / 0.25)";
 
 /// A figure with a caption and its canvas. `paint` is given `draw(layer)` and
 /// the canvas's context, size and pixel ratio, and puts the picture there.

@@ -49,12 +49,12 @@ function makeReadout(pictures, fixture) {
     rows.difference.fill(facts.difference, null, null);
   };
   show(null);
-  const heads = ["", "R", "G", "B", "linear R", "G", "B"].map((text) => (text ? element("th", { scope: "col" }, text) : element("td")));
+  const head = (text) => element("th", { scope: "colgroup", colspan: "3" }, text);
   const table = element(
     "table",
     { class: "readout" },
     element("caption", {}, element("b", {}, "Pixel "), place),
-    element("thead", {}, element("tr", {}, heads)),
+    element("thead", {}, element("tr", {}, element("td"), head("codes R G B"), head("linear R G B"))),
     element("tbody", {}, Object.values(rows).map((row) => row.root)),
   );
   return { root: table, show, announce: (at) => speak(spokenPixel(at, pixelFacts(pictures, fixture, at))) };

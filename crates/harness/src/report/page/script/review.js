@@ -38,15 +38,13 @@ async function ask(path, body) {
   }
 }
 
-/// `action` is accept, reject or undo.
+/// `action` is accept, reject or undo. What cannot be decided so is left out of
+/// a selection; alone it is asked for, and the server says why not.
 async function decide(action, names) {
   if (names.length === 0) return;
-  const allowed = names.filter((name) => canDecide(action, name));
-  if (allowed.length === 0) {
-    showMessages([refusal(action, names)]);
-    return;
-  }
-  if (await ask(`api/${action}`, { names: allowed })) speak(`${action}: ${plural(allowed.length, "fixture", "fixtures")}`);
+  const able = names.filter((name) => canDecide(action, name));
+  const asked = able.length > 0 ? able : names;
+  if (await ask(`api/${action}`, { names: asked })) speak(`${action}: ${plural(asked.length, "fixture", "fixtures")}`);
 }
 
 function canDecide(action, name) {
@@ -54,16 +52,6 @@ function canDecide(action, name) {
   if (action === "undo") return decision !== undefined;
   if (action === "accept") return decision !== "accepted" && review.canAccept.has(name);
   return decision === undefined && hasFailed(fixtureByName.get(name));
-}
-
-function refusal(action, names) {
-  const whom = names.length === 1 ? names[0] : `${count(names.length)} fixtures`;
-  const reasons = {
-    accept: "cannot be accepted: it matches, breaks its word, or is decided",
-    reject: "cannot be rejected: it matches, or is decided",
-    undo: "has no decision to take back",
-  };
-  return `${whom} ${reasons[action]}.`;
 }
 
 /// How many of what has failed is decided.

@@ -30,7 +30,7 @@ function selectFixtures(filters) {
 function telling(fixture, sort) {
   if (sort === "time") return fixture.cached ? "unchanged" : duration(timeOf(fixture));
   if (isDifferent(fixture)) {
-    return sort === "distance" ? `FLIP ${metricValue(fixture.flip_mean)}` : `${percent(differingShare(fixture) ?? 0)} differs`;
+    return sort === "distance" ? `FLIP ${metricValue(fixture.flip_mean)}` : `${percent(differingShare(fixture) ?? 0)} differ`;
   }
   if (hasFailed(fixture)) return fixture.findings.length > 1 ? plural(fixture.findings.length, "finding", "findings") : "";
   return fixture.cached ? "unchanged" : duration(timeOf(fixture));

@@ -18,7 +18,7 @@ const LEAST_PANE_PX = 120;
 const WIDE_ASPECT = 2.5;
 
 class Viewer {
-  /// `went(view)` is told when another view is shown, `showLine(line)` is asked
+  /// `went(view)` is told when another view is chosen, `showLine(line)` is asked
   /// for a line of the source.
   constructor(fixture, pictures, { went, showLine }) {
     Object.assign(this, { fixture, pictures, went, showLine, cursor: null, hovered: null, view: null, shown: null });
@@ -28,6 +28,7 @@ class Viewer {
     this.readout = makeReadout(pictures, fixture);
     this.buttons = VIEWS.map((view) => this.viewButton(view));
     this.controls = element("div", { class: "view-controls" });
+    this.note = element("p", { class: "note" });
     this.stage = element("div", { class: "stage" });
     this.zoomed = element("output", { class: "zoomed", "aria-label": "Zoom" });
     this.root = element(
@@ -35,6 +36,7 @@ class Viewer {
       { class: "viewer", "aria-labelledby": "viewer-title" },
       element("h2", { id: "viewer-title", class: "unseen" }, "Pictures"),
       element("div", { class: "views", role: "group", "aria-label": "View" }, this.buttons),
+      this.note,
       this.controls,
       this.stage,
       element("div", { class: "tools" }, this.zoomTools(), this.jumps()),
@@ -49,7 +51,7 @@ class Viewer {
     const label = [view.label, reason ? unseen(`, not here: ${reason}`) : null];
     const attributes = { "data-view": view.id, "aria-pressed": "false", title: reason ? `Not here: ${reason}` : `Key ${view.key}` };
     if (reason) attributes["aria-disabled"] = "true";
-    return button(label, () => this.show(view.id), attributes);
+    return button(label, () => this.choose(view.id), attributes);
   }
 
   zoomTools() {
@@ -75,12 +77,17 @@ class Viewer {
     );
   }
 
+  /// Shows the view that the reader asks for, and keeps in mind that it was.
+  choose(id) {
+    if (this.show(id)) this.went(id);
+  }
+
   /// Shows a view; one that cannot be says why.
   show(id) {
     const view = VIEWS.find((candidate) => candidate.id === id);
     const reason = view?.lacks(this.pictures, this.fixture);
     if (!view || reason) {
-      if (reason) speak(`${view.label} is not here: ${reason}`);
+      if (reason) this.say(`${view.label} is not here: ${reason}.`);
       return false;
     }
     if (view === this.view) return true;
@@ -93,14 +100,21 @@ class Viewer {
     this.stage.replaceChildren(...this.shown.panes.map((pane) => pane.root));
     for (const made of this.buttons) made.setAttribute("aria-pressed", String(made.dataset.view === id));
     this.layOut();
-    this.went(id);
     return true;
   }
 
-  /// The wanted view, or else the one that says most.
+  /// The wanted view, or else the one that says most; where pictures cannot be
+  /// compared, why.
   open(wanted) {
     const first = [wanted, ...FAVORITES].find((id) => id && this.show(id));
+    const reason = lacksPair(this.pictures, this.fixture);
+    this.note.textContent = reason ? `Nothing to compare: ${reason}.` : "";
     if (!first) this.stage.replaceChildren(element("p", { class: "empty" }, "There is no picture: neither a golden, nor one of this run."));
+  }
+
+  say(words) {
+    this.note.textContent = words;
+    speak(words);
   }
 
   moves() {
@@ -160,6 +174,7 @@ class Viewer {
 
   redraw() {
     this.zoomed.textContent = `${Math.round(100 * this.viewport.scale)} %`;
+    this.zoomed.dataset.scale = this.viewport.scale;
     // A drag at the whole picture's size scrolls the page, on a touch screen.
     this.stage.classList.toggle("is-fitted", this.viewport.isFitted);
     for (const pane of this.shown?.panes ?? []) drawPane(pane, this.viewport, this.cursor);

@@ -9,6 +9,9 @@ const LARGEST_SCALE = ZOOM_STOPS[ZOOM_STOPS.length - 1];
 /// Where single pixels are looked at.
 const CLOSE_SCALE = 16;
 
+/// Pixels of equal size are worth so much of the pane, and no more.
+const LEAST_WHOLE_SHARE = 0.75;
+
 class Viewport {
   /// Of pictures of so many pixels; `changed` is called whenever it moves.
   constructor(width, height, changed) {
@@ -25,10 +28,11 @@ class Viewport {
     else this.changed();
   }
 
-  /// The whole picture, as large as whole pixels allow.
+  /// The whole picture, as large as the pane allows.
   fit() {
     const room = Math.min(this.paneWidth / this.width, this.paneHeight / this.height);
-    const scale = room >= 1 ? Math.min(Math.floor(room), LARGEST_SCALE) : room;
+    const whole = Math.min(Math.floor(room), LARGEST_SCALE);
+    const scale = whole >= LEAST_WHOLE_SHARE * room ? whole : Math.min(room, LARGEST_SCALE);
     Object.assign(this, { scale, x: this.width / 2, y: this.height / 2, isFitted: true });
     this.changed();
   }

@@ -65,10 +65,10 @@ const OBJECTS_VIEW = {
 };
 
 function objectEntry({ id, area, share }, places, choose, stage) {
-  const blamed = share > 0 ? element("strong", {}, ` ${percent(share)} of the difference`) : null;
+  const blamed = share > 0 ? element("strong", { title: "its share of the difference" }, ` ${percent(share)}`, unseen(" of the difference")) : null;
   const swatch = element("span", { class: "swatch", style: `background: rgb(${objectColor(id).join(" ")})` });
   const shown = { pointerenter: () => choose(id), pointerleave: () => choose(null), focus: () => choose(id), blur: () => choose(null) };
   const line = places[id - 1]?.line ?? null;
   const act = () => line !== null && stage.showLine(line);
-  return element("li", {}, button([swatch, `${objectWords(places, id)} · ${plural(area, "pixel", "pixels")}`, blamed], act, shown));
+  return element("li", {}, button([swatch, objectWords(places, id), element("span", { class: "number" }, ` ${count(area)} px`), blamed], act, shown));
 }
