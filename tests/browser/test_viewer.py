@@ -222,7 +222,7 @@ def test_codes_are_those_of_the_file_whatever_it_says_of_color(open_page, odd_pa
         x, y = map(int, re.findall(r"\d+", look.text(".readout .place"))[:2])
         assert look.readout("golden")[:3] == [str(code) for code in expected[y, x]]
         told.update(expected[y, x])
-    assert len(told) > 150, "of 256 codes, many are looked at"
+    assert len(told) > 100, "of 256 codes, many are looked at"
 
 
 def test_a_code_of_srgb_is_decoded_by_its_own_curve(open_page, broken_page):

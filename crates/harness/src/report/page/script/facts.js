@@ -9,12 +9,17 @@ function section(id, title, ...children) {
 
 function findingsSection({ findings, breaks_expectations, breaks_relations }) {
   if (findings.length === 0) return null;
-  const list = (part) => element("ul", {}, part.map((finding) => element("li", { class: finding.includes("\n") ? "text" : null }, finding)));
+  const list = (part) => element("ul", {}, part.map((finding) => element("li", {}, findingText(finding))));
   const rest = findings.slice(FINDINGS_SHOWN);
   const more = rest.length > 0 ? element("details", {}, element("summary", {}, `${count(rest.length)} more`), list(rest)) : null;
   const broken = breaks_expectations || breaks_relations;
   const word = broken ? element("p", { class: "note" }, "The picture breaks what its fixture says on paper, so it cannot be accepted.") : null;
   return section("findings", findings.length === 1 ? "Finding" : "Findings", list(findings.slice(0, FINDINGS_SHOWN)), more, word);
+}
+
+/// What has lines points into a source by carets, so it keeps its columns.
+function findingText(finding) {
+  return finding.includes("\n") ? element("pre", { tabindex: "0" }, finding) : finding;
 }
 
 function blameSection({ blamed }) {
