@@ -2,11 +2,17 @@
 
 const report = JSON.parse(byId("report").textContent);
 
-/// Every fixture with its place in the report and its area: what its name has
-/// before the last slash.
+// Every fixture with its place in the report and its area: what its name has
+// before the last slash.
 const fixtures = report.fixtures.map((fixture, index) => {
   const slash = fixture.name.lastIndexOf("/");
-  return { ...fixture, limits: fixture.limits ?? [], index, area: fixture.name.slice(0, Math.max(slash, 0)), leaf: fixture.name.slice(slash + 1) };
+  return {
+    ...fixture,
+    limits: fixture.limits ?? [],
+    index,
+    area: fixture.name.slice(0, Math.max(slash, 0)),
+    leaf: fixture.name.slice(slash + 1),
+  };
 });
 
 const fixtureByName = new Map(fixtures.map((fixture) => [fixture.name, fixture]));
@@ -21,15 +27,15 @@ function hasFailed(fixture) {
   return fixture.verdict !== "match";
 }
 
-/// The evidence of a fixture: source, pictures and maps as they are in the
-/// page. It is large, so only what it is made into is kept.
+// The evidence of a fixture: source, pictures and maps as they are in the
+// page. It is large, so only what it is made into is kept.
 function evidenceOf(fixture) {
   const holder = byId(`fixture-${fixture.index}`);
   return holder ? JSON.parse(holder.textContent) : {};
 }
 
-/// Whether today's picture is the golden, and so is not in the page a second
-/// time.
+// Whether today's picture is the golden, and so is not in the page a second
+// time.
 function isLeftOut(fixture, evidence) {
   return !evidence.actual && !hasFailed(fixture) && !fixture.cached;
 }

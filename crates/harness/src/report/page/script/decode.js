@@ -12,7 +12,7 @@ async function inflate(base64) {
   return new Response(packed.pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
 }
 
-/// A canvas that is drawn to and read from, not seen.
+// A canvas that is drawn to and read from, not seen.
 function blankCanvas(width, height) {
   const canvas = element("canvas");
   canvas.width = width;
@@ -24,13 +24,16 @@ function contextOf(canvas) {
   return canvas.getContext("2d", { willReadFrequently: true, colorSpace: "srgb" });
 }
 
-/// A PNG as `{width, height, data, canvas}`, `data` with four codes for a pixel
-/// as they are in the file: a browser that adapts colors to a screen, or
-/// multiplies by alpha, would show differences that nobody rendered.
+// A PNG as `{width, height, data, canvas}`, `data` with four codes for a pixel
+// as they are in the file: a browser that adapts colors to a screen, or
+// multiplies by alpha, would show differences that nobody rendered.
 async function decodePng(base64) {
   if (!base64) return null;
   const blob = new Blob([bytesOf(base64)], { type: "image/png" });
-  const bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
+  const bitmap = await createImageBitmap(blob, {
+    colorSpaceConversion: "none",
+    premultiplyAlpha: "none",
+  });
   const { width, height } = bitmap;
   const canvas = blankCanvas(width, height);
   const context = contextOf(canvas);
@@ -39,7 +42,7 @@ async function decodePng(base64) {
   return { width, height, data: context.getImageData(0, 0, width, height).data, canvas };
 }
 
-/// Linear values, three for a pixel.
+// Linear values, three for a pixel.
 async function decodeLinear(base64) {
   if (!base64) return null;
   const view = new DataView(await inflate(base64));
@@ -48,8 +51,8 @@ async function decodeLinear(base64) {
   return values;
 }
 
-/// Which object each pixel shows: `{places, numbers}`, a number for each pixel,
-/// 0 for the background and n for `places[n - 1]`.
+// Which object each pixel shows: `{places, numbers}`, a number for each pixel,
+// 0 for the background and n for `places[n - 1]`.
 async function decodeObjects(objects) {
   if (!objects) return null;
   const view = new DataView(await inflate(objects.numbers));
@@ -58,7 +61,7 @@ async function decodeObjects(objects) {
   return { places: objects.places, numbers };
 }
 
-/// All pictures of a fixture, decoded; null is what there is not.
+// All pictures of a fixture, decoded; null is what there is not.
 async function loadPictures(fixture, evidence) {
   const [golden, actual, ssim, flip, linear, objects] = await Promise.all([
     decodePng(evidence.golden),
@@ -72,8 +75,9 @@ async function loadPictures(fixture, evidence) {
   return { ...both, isGolden: isSame(both.golden, both.actual), ssim, flip, linear, objects };
 }
 
-/// Whether two pictures are there and have the same codes.
+// Whether two pictures are there and have the same codes.
 function isSame(golden, actual) {
-  if (!golden || !actual || golden.width !== actual.width || golden.height !== actual.height) return false;
+  if (!golden || !actual || golden.width !== actual.width || golden.height !== actual.height)
+    return false;
   return golden === actual || golden.data.every((code, i) => code === actual.data[i]);
 }

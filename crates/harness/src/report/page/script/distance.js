@@ -1,10 +1,11 @@
 // How far a fixture is from its golden, for an order of fixtures: what people see first.
 
-/// What distance is, worst first: the visible error of the whole picture (mean
-/// FLIP), then how much of it differs, then by how much one pixel does. All
-/// zero for a match; null where there is nothing to compare.
+// What distance is, worst first: the visible error of the whole picture (mean
+// FLIP), then how much of it differs, then by how much one pixel does. All
+// zero for a match; null where there is nothing to compare.
 function distanceOf(fixture) {
-  if (fixture.flip_mean === null || fixture.flip_mean === undefined) return hasFailed(fixture) ? null : [0, 0, 0];
+  if (fixture.flip_mean === null || fixture.flip_mean === undefined)
+    return hasFailed(fixture) ? null : [0, 0, 0];
   return [fixture.flip_mean, fixture.differing_pixels ?? 0, fixture.max_abs ?? 0];
 }
 
@@ -12,13 +13,13 @@ function isDifferent(fixture) {
   return (fixture.differing_pixels ?? 0) > 0;
 }
 
-/// The share of a picture's pixels that differ; null where that is not known.
+// The share of a picture's pixels that differ; null where that is not known.
 function differingShare(fixture) {
   if (!isDifferent(fixture) || !fixture.width || !fixture.height) return null;
   return fixture.differing_pixels / (fixture.width * fixture.height);
 }
 
-/// The farther first; what cannot be compared, the first of all.
+// The farther first; what cannot be compared, the first of all.
 function fartherFirst(a, b) {
   const [left, right] = [distanceOf(a), distanceOf(b)];
   if (left === null || right === null) return Number(left !== null) - Number(right !== null);

@@ -1,16 +1,33 @@
 // The page of one fixture: its pictures, what is said of it, and its source.
 
-/// The view that is wanted, kept from one fixture to the next.
+// The view that is wanted, kept from one fixture to the next.
 let wantedView = null;
 
 function makeFixturePage(fixture, view) {
   wantedView = view ?? wantedView;
   const evidence = evidenceOf(fixture);
-  const pictures = element("div", { class: "pictures" }, element("p", { class: "empty" }, "Reading the pictures…"));
-  const side = element("div", { class: "side" }, findingsSection(fixture), blameSection(fixture), metricsSection(fixture), commandsSection(fixture));
-  const decisions = isReviewing && hasFailed(fixture) ? decisionButtons(() => [fixture.name]) : null;
+  const pictures = element(
+    "div",
+    { class: "pictures" },
+    element("p", { class: "empty" }, "Reading the pictures…"),
+  );
+  const side = element(
+    "div",
+    { class: "side" },
+    findingsSection(fixture),
+    blameSection(fixture),
+    metricsSection(fixture),
+    commandsSection(fixture),
+  );
+  const decisions =
+    isReviewing && hasFailed(fixture) ? decisionButtons(() => [fixture.name]) : null;
   const decision = element("span", { class: "decision" });
-  const page = { fixture, viewer: null, isClosed: false, decide: (action) => decide(action, [fixture.name]) };
+  const page = {
+    fixture,
+    viewer: null,
+    isClosed: false,
+    decide: (action) => decide(action, [fixture.name]),
+  };
   const decided = () => {
     markDecision(decision, fixture.name);
     decisions?.update();
@@ -30,7 +47,7 @@ function makeFixturePage(fixture, view) {
   return page;
 }
 
-/// A picture that cannot be decoded is said, and the rest of the page stays.
+// A picture that cannot be decoded is said, and the rest of the page stays.
 async function openViewer(page, evidence, holder) {
   const { fixture } = page;
   try {
@@ -44,7 +61,9 @@ async function openViewer(page, evidence, holder) {
     holder.replaceChildren(page.viewer.root);
     page.viewer.open(wantedView);
   } catch (error) {
-    holder.replaceChildren(element("p", { class: "empty" }, `The pictures cannot be shown: ${error.message}`));
+    holder.replaceChildren(
+      element("p", { class: "empty" }, `The pictures cannot be shown: ${error.message}`),
+    );
   }
 }
 
@@ -52,13 +71,30 @@ function fixtureHeader(fixture, decision, decisions) {
   const { shown } = overview;
   const at = shown.indexOf(fixture);
   const area = fixture.area ? element("span", { class: "area" }, `${fixture.area}/`) : null;
-  const place = at < 0 ? null : element("span", { class: "number" }, `${count(at + 1)} of ${count(shown.length)}`);
+  const place =
+    at < 0
+      ? null
+      : element("span", { class: "number" }, `${count(at + 1)} of ${count(shown.length)}`);
   return element(
     "header",
     { class: "fixture-header" },
-    element("nav", { "aria-label": "Fixtures" }, element("a", { href: overviewHash(overview.filters), title: "Key Esc" }, "All fixtures"), step(-1, "Previous", "k"), step(1, "Next", "j"), place),
+    element(
+      "nav",
+      { "aria-label": "Fixtures" },
+      element("a", { href: overviewHash(overview.filters), title: "Key Esc" }, "All fixtures"),
+      step(-1, "Previous", "k"),
+      step(1, "Next", "j"),
+      place,
+    ),
     element("h1", {}, area, element("wbr"), fixture.leaf),
-    element("div", { class: "line" }, verdictBadge(fixture), decision, element("span", { class: "number" }, fixtureFacts(fixture)), decisions),
+    element(
+      "div",
+      { class: "line" },
+      verdictBadge(fixture),
+      decision,
+      element("span", { class: "number" }, fixtureFacts(fixture)),
+      decisions,
+    ),
   );
 }
 
@@ -66,22 +102,35 @@ function step(by, words, key) {
   return button(words, () => goBy(by), { title: `Key ${key}`, disabled: neighbor(by) === null });
 }
 
-/// Size, share and time, as far as there are any.
+// Size, share and time, as far as there are any.
 function fixtureFacts(fixture) {
   const size = fixture.width ? sizeWords(fixture) : null;
-  const differing = isDifferent(fixture) ? `${plural(fixture.differing_pixels, "pixel differs", "pixels differ")} (${percent(differingShare(fixture) ?? 0)})` : null;
-  const time = fixture.cached ? "unchanged since its last match" : timeOf(fixture) > 0 ? `rendered in ${duration(fixture.render_ms)}` : null;
+  const differing = isDifferent(fixture)
+    ? `${plural(fixture.differing_pixels, "pixel differs", "pixels differ")} (${percent(differingShare(fixture) ?? 0)})`
+    : null;
+  const time = fixture.cached
+    ? "unchanged since its last match"
+    : timeOf(fixture) > 0
+      ? `rendered in ${duration(fixture.render_ms)}`
+      : null;
   return [size, differing, time, fixture.audited ? "an audit" : null].filter(Boolean).join(" · ");
 }
 
-/// Of a name that no fixture has.
+// Of a name that no fixture has.
 function makeUnknownPage(name) {
-  const words = element("p", { class: "empty" }, "This report has no fixture of the name ", element("code", {}, name), ". ", element("a", { href: "#/" }, "All fixtures"));
+  const words = element(
+    "p",
+    { class: "empty" },
+    "This report has no fixture of the name ",
+    element("code", {}, name),
+    ". ",
+    element("a", { href: "#/" }, "All fixtures"),
+  );
   return { root: [element("h1", {}, "No such fixture"), words], close() {} };
 }
 
-/// The fixture that many places on in what the overview shows; null past its
-/// ends.
+// The fixture that many places on in what the overview shows; null past its
+// ends.
 function neighbor(by) {
   const at = overview.shown.findIndex(({ name }) => name === parseHash(location.hash).name);
   return at < 0 ? null : (overview.shown[at + by] ?? null);

@@ -1,12 +1,12 @@
 // Wheel, drag, pinch, double click and keys on a pane, as moves of the viewport and the cursor.
 
-/// A notch of a wheel, about 100 pixels, is a factor of 1.26.
+// A notch of a wheel, about 100 pixels, is a factor of 1.26.
 const WHEEL_PIXELS_PER_DOUBLING = 300;
 
-/// Firefox counts lines instead of pixels.
+// Firefox counts lines instead of pixels.
 const WHEEL_LINE_PIXELS = 16;
 
-/// How far the cursor goes with shift.
+// How far the cursor goes with shift.
 const CURSOR_LEAP = 10;
 
 function pointIn(canvas, event) {
@@ -14,10 +14,14 @@ function pointIn(canvas, event) {
   return { x: event.clientX - box.left, y: event.clientY - box.top };
 }
 
-/// `moves` has `viewport`, `hover(place or null)` and `moveCursor(dx, dy)`.
+// `moves` has `viewport`, `hover(place or null)` and `moveCursor(dx, dy)`.
 function listenToPane(canvas, moves) {
-  canvas.addEventListener("wheel", (event) => zoomByWheel(canvas, event, moves.viewport), { passive: false });
-  canvas.addEventListener("dblclick", (event) => toggleClose(pointIn(canvas, event), moves.viewport));
+  canvas.addEventListener("wheel", (event) => zoomByWheel(canvas, event, moves.viewport), {
+    passive: false,
+  });
+  canvas.addEventListener("dblclick", (event) =>
+    toggleClose(pointIn(canvas, event), moves.viewport),
+  );
   canvas.addEventListener("pointerleave", () => moves.hover(null));
   canvas.addEventListener("keydown", (event) => moveCursorByKey(event, moves));
   listenToPointers(canvas, moves);
@@ -25,37 +29,46 @@ function listenToPane(canvas, moves) {
 
 function zoomByWheel(canvas, event, viewport) {
   event.preventDefault();
-  const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * WHEEL_LINE_PIXELS : event.deltaY;
+  const pixels =
+    event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * WHEEL_LINE_PIXELS : event.deltaY;
   viewport.zoom(2 ** (-pixels / WHEEL_PIXELS_PER_DOUBLING), pointIn(canvas, event));
 }
 
-/// Close to where it was clicked, or back to the whole picture.
+// Close to where it was clicked, or back to the whole picture.
 function toggleClose(at, viewport) {
   if (viewport.isFitted) viewport.zoom(CLOSE_SCALE / viewport.scale, at);
   else viewport.fit();
 }
 
-/// One pointer drags, two pinch.
+// One pointer drags, two pinch.
 function listenToPointers(canvas, { viewport, hover }) {
   const down = new Map();
   canvas.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
     down.set(event.pointerId, pointIn(canvas, event));
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => {
     const [before, point] = [down.get(event.pointerId), pointIn(canvas, event)];
-    if (before && down.size === 1) viewport.pan(point.x - before.x, point.y - before.y);
+    // A finger on the whole picture is about to scroll the page.
+    const isScroll = event.pointerType === "touch" && viewport.isFitted;
+    if (before && down.size === 1 && !isScroll)
+      viewport.pan(point.x - before.x, point.y - before.y);
     if (before && down.size === 2) pinch(down, event.pointerId, before, point, viewport);
     if (before) down.set(event.pointerId, point);
     hover(viewport.pixelAt(point));
   });
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => down.delete(event.pointerId));
+  for (const end of ["pointerup", "pointercancel"])
+    canvas.addEventListener(end, (event) => down.delete(event.pointerId));
 }
 
 function pinch(down, id, before, point, viewport) {
   const other = [...down].find(([key]) => key !== id)[1];
   const apart = (a) => Math.max(Math.hypot(a.x - other.x, a.y - other.y), 1);
-  viewport.zoom(apart(point) / apart(before), { x: (point.x + other.x) / 2, y: (point.y + other.y) / 2 });
+  viewport.zoom(apart(point) / apart(before), {
+    x: (point.x + other.x) / 2,
+    y: (point.y + other.y) / 2,
+  });
   viewport.pan((point.x - before.x) / 2, (point.y - before.y) / 2);
 }
 

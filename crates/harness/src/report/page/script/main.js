@@ -1,6 +1,6 @@
 // The page as a whole: goes where the address says, and starts everything else.
 
-/// The page that is shown.
+// The page that is shown.
 let current = null;
 
 function openPage(route) {
@@ -9,7 +9,7 @@ function openPage(route) {
   return fixture ? makeFixturePage(fixture, route.view) : makeUnknownPage(route.name);
 }
 
-/// Where the overview was scrolled to.
+// Where the overview was scrolled to.
 let overviewScroll = 0;
 
 function go() {
@@ -26,7 +26,8 @@ function go() {
 
 function showProgress() {
   const { decided, failed } = progressOf();
-  byId("progress").textContent = failed === 0 ? "" : `${count(decided)} of ${count(failed)} decided`;
+  byId("progress").textContent =
+    failed === 0 ? "" : `${count(decided)} of ${count(failed)} decided`;
 }
 
 async function restore() {

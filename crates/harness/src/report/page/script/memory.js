@@ -2,7 +2,7 @@
 
 const MEMORY = "goldray-place";
 
-/// A browser may refuse to store; the page does without.
+// A browser may refuse to store; the page does without.
 function stored(key, value) {
   try {
     if (value === undefined) return sessionStorage.getItem(key);
@@ -15,12 +15,18 @@ function stored(key, value) {
 
 function remember() {
   const viewport = current?.viewer?.viewport;
-  const zoom = viewport && !viewport.isFitted ? { x: viewport.x, y: viewport.y, scale: viewport.scale } : null;
-  const place = { hash: location.hash, scroll: window.scrollY, zoom, cursor: current?.viewer?.cursor ?? null };
+  const zoom =
+    viewport && !viewport.isFitted ? { x: viewport.x, y: viewport.y, scale: viewport.scale } : null;
+  const place = {
+    hash: location.hash,
+    scroll: window.scrollY,
+    zoom,
+    cursor: current?.viewer?.cursor ?? null,
+  };
   stored(MEMORY, JSON.stringify(place));
 }
 
-/// Once, and only for the address it was of.
+// Once, and only for the address it was of.
 function recall() {
   const text = stored(MEMORY);
   if (!text) return null;

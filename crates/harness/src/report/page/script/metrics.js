@@ -3,10 +3,25 @@
 function metricsSection(fixture) {
   const isTold = report.metrics.some((metric) => typeof fixture[metric.name] === "number");
   if (!isTold && fixture.limits.length === 0) return null;
-  const heads = ["metric", "value", fixture.limits.length > 0 ? "limit" : ""].map((words) => (words ? element("th", { scope: "col" }, words) : element("td")));
+  const heads = ["metric", "value", fixture.limits.length > 0 ? "limit" : ""].map((words) =>
+    words ? element("th", { scope: "col" }, words) : element("td"),
+  );
   const rows = report.metrics.map((metric) => metricRow(metric, fixture));
-  const word = fixture.limits.length === 0 ? "It has no limits: every byte must be the same." : "What the fixture states must hold; the rest is reported.";
-  return section("metrics", "Metrics", element("p", { class: "note" }, word), element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows)));
+  const word =
+    fixture.limits.length === 0
+      ? "It has no limits: every byte must be the same."
+      : "What the fixture states must hold; the rest is reported.";
+  return section(
+    "metrics",
+    "Metrics",
+    element("p", { class: "note" }, word),
+    element(
+      "table",
+      {},
+      element("thead", {}, element("tr", {}, heads)),
+      element("tbody", {}, rows),
+    ),
+  );
 }
 
 function metricRow(metric, fixture) {
@@ -22,14 +37,20 @@ function metricRow(metric, fixture) {
   );
 }
 
-/// Its name, with what it sees and does not see behind it.
+// Its name, with what it sees and does not see behind it.
 function metricName(metric) {
   const arrow = isHigherBetter(metric) ? "↑" : "↓";
   const better = isHigherBetter(metric) ? "higher is closer" : "lower is closer";
   return element(
     "details",
     {},
-    element("summary", { title: `Blind to: ${metric.blind_spot}` }, metric.name, element("span", { class: "arrow", "aria-hidden": "true" }, ` ${arrow}`), unseen(`, ${better}`)),
+    element(
+      "summary",
+      { title: `Blind to: ${metric.blind_spot}` },
+      metric.name,
+      element("span", { class: "arrow", "aria-hidden": "true" }, ` ${arrow}`),
+      unseen(`, ${better}`),
+    ),
     element("p", {}, `${metric.measures} Range ${metric.range}; ${better}.`),
     element("p", {}, `Blind to: ${metric.blind_spot}`),
   );
@@ -40,5 +61,14 @@ function isHigherBetter(metric) {
 }
 
 function limitWords({ limit, at_least, accepted, broken }) {
-  return element("div", { class: broken ? "limit broken" : "limit held", title: `${limit}: ${broken ? "broken" : "held"}` }, `${at_least ? "≥" : "≤"} ${metricValue(accepted)} `, element("span", { "aria-hidden": "true" }, broken ? "✗" : "✓"), unseen(`, the limit ${limit} is ${broken ? "broken" : "held"}`));
+  return element(
+    "div",
+    {
+      class: broken ? "limit broken" : "limit held",
+      title: `${limit}: ${broken ? "broken" : "held"}`,
+    },
+    `${at_least ? "≥" : "≤"} ${metricValue(accepted)} `,
+    element("span", { "aria-hidden": "true" }, broken ? "✗" : "✓"),
+    unseen(`, the limit ${limit} is ${broken ? "broken" : "held"}`),
+  );
 }

@@ -2,16 +2,20 @@
 
 const FIXTURE_PATH = "#/fixture/";
 
-/// Every fixture, failures first.
+// Every fixture, failures first.
 const NO_FILTERS = { verdicts: [], area: null, text: "", sort: "failures" };
 
-/// `{page: "fixture", name, view}` or `{page: "overview", verdicts, area, text, sort}`.
+// `{page: "fixture", name, view}` or `{page: "overview", verdicts, area, text, sort}`.
 function parseHash(hash) {
   const mark = hash.indexOf("?");
   const path = mark < 0 ? hash : hash.slice(0, mark);
   const query = new URLSearchParams(mark < 0 ? "" : hash.slice(mark + 1));
   if (path.startsWith(FIXTURE_PATH)) {
-    return { page: "fixture", name: decodeName(path.slice(FIXTURE_PATH.length)), view: query.get("view") };
+    return {
+      page: "fixture",
+      name: decodeName(path.slice(FIXTURE_PATH.length)),
+      view: query.get("view"),
+    };
   }
   return {
     page: "overview",
@@ -22,8 +26,8 @@ function parseHash(hash) {
   };
 }
 
-/// A name that is no good escape is taken as it stands: it may be one that a
-/// person typed.
+// A name that is no good escape is taken as it stands: it may be one that a
+// person typed.
 function decodeName(path) {
   try {
     return decodeURIComponent(path);
@@ -46,7 +50,7 @@ function fixtureHash(name, view = null) {
   return `${FIXTURE_PATH}${path}${view ? `?${new URLSearchParams({ view })}` : ""}`;
 }
 
-/// Says where the reader is without another step to go back over.
+// Says where the reader is without another step to go back over.
 function rewriteHash(hash) {
   history.replaceState(null, "", hash);
 }

@@ -2,7 +2,7 @@
 
 const byName = (a, b) => (a.name < b.name ? -1 : Number(a.name > b.name));
 
-/// Each order with its words and its comparison; ties are broken by name.
+// Each order with its words and its comparison; ties are broken by name.
 const SORTS = {
   failures: {
     words: "failures first",
@@ -23,20 +23,27 @@ function isShown(fixture, { verdicts, area, text }) {
 
 function selectFixtures(filters) {
   const { compare } = SORTS[filters.sort];
-  return fixtures.filter((fixture) => isShown(fixture, filters)).sort((a, b) => compare(a, b) || byName(a, b));
+  return fixtures
+    .filter((fixture) => isShown(fixture, filters))
+    .sort((a, b) => compare(a, b) || byName(a, b));
 }
 
-/// The number that says most in this order.
+// The number that says most in this order.
 function telling(fixture, sort) {
   if (sort === "time") return fixture.cached ? "unchanged" : duration(timeOf(fixture));
   if (isDifferent(fixture)) {
-    return sort === "distance" ? `FLIP ${metricValue(fixture.flip_mean)}` : `${percent(differingShare(fixture) ?? 0)} differ`;
+    return sort === "distance"
+      ? `FLIP ${metricValue(fixture.flip_mean)}`
+      : `${percent(differingShare(fixture) ?? 0)} differ`;
   }
-  if (hasFailed(fixture)) return fixture.findings.length > 1 ? plural(fixture.findings.length, "finding", "findings") : "";
+  if (hasFailed(fixture))
+    return fixture.findings.length > 1
+      ? plural(fixture.findings.length, "finding", "findings")
+      : "";
   return fixture.cached ? "unchanged" : duration(timeOf(fixture));
 }
 
-/// Every area with how many fixtures it has.
+// Every area with how many fixtures it has.
 function areasOf(all) {
   const counts = new Map();
   for (const { area } of all) counts.set(area, (counts.get(area) ?? 0) + 1);

@@ -2,7 +2,14 @@
 
 function makeSlider(label, low, high, value, words, changed) {
   const output = element("output", {}, words(value));
-  const input = element("input", { type: "range", min: low, max: high, step: "1", value, "aria-label": label });
+  const input = element("input", {
+    type: "range",
+    min: low,
+    max: high,
+    step: "1",
+    value,
+    "aria-label": label,
+  });
   input.addEventListener("input", () => {
     changed(input.valueAsNumber);
     output.textContent = words(input.valueAsNumber);

@@ -1,27 +1,45 @@
 // The viewer: one view at a time of a fixture's pictures, with zoom, cursor and the numbers of a pixel.
 
-/// In the order of their buttons.
+// In the order of their buttons.
 const VIEWS = [
-  SIDES_VIEW, BLINK_VIEW, SWIPE_VIEW, DIFFERENCE_VIEW, SSIM_VIEW, FLIP_VIEW, THRESHOLD_VIEW, OBJECTS_VIEW, GOLDEN_VIEW, ACTUAL_VIEW,
+  SIDES_VIEW,
+  BLINK_VIEW,
+  SWIPE_VIEW,
+  DIFFERENCE_VIEW,
+  SSIM_VIEW,
+  FLIP_VIEW,
+  THRESHOLD_VIEW,
+  OBJECTS_VIEW,
+  GOLDEN_VIEW,
+  ACTUAL_VIEW,
 ];
 
-/// Where nothing is asked for: what says most.
+// Where nothing is asked for: what says most.
 const FAVORITES = ["sides", "actual", "golden"];
 
-/// The share of a window's height that panes may take, and one of several that
-/// stand below each other.
+// The share of a window's height that panes may take, and one of several that
+// stand below each other.
 const PANE_SHARE = 0.62;
 const STACKED_SHARE = 0.36;
 const LEAST_PANE_PX = 120;
 
-/// Pictures wider than so many times their height stand below each other.
+// Pictures wider than so many times their height stand below each other.
 const WIDE_ASPECT = 2.5;
 
 class Viewer {
-  /// `went(view)` is told when another view is chosen, `showLine(line)` is asked
-  /// for a line of the source.
+  // `went(view)` is told when another view is chosen, `showLine(line)` is asked
+  // for a line of the source.
   constructor(fixture, pictures, { went, showLine }) {
-    Object.assign(this, { fixture, pictures, went, showLine, cursor: null, hovered: null, view: null, shown: null });
+    Object.assign(this, {
+      fixture,
+      pictures,
+      went,
+      showLine,
+      cursor: null,
+      hovered: null,
+      view: null,
+      shown: null,
+    });
     const all = [pictures.golden, pictures.actual].filter(Boolean);
     const size = (side) => Math.max(1, ...all.map((picture) => picture[side]));
     this.viewport = new Viewport(size("width"), size("height"), () => this.redraw());
@@ -49,7 +67,11 @@ class Viewer {
   viewButton(view) {
     const reason = view.lacks(this.pictures, this.fixture);
     const label = [view.label, reason ? unseen(`, not here: ${reason}`) : null];
-    const attributes = { "data-view": view.id, "aria-pressed": "false", title: reason ? `Not here: ${reason}` : `Key ${view.key}` };
+    const attributes = {
+      "data-view": view.id,
+      "aria-pressed": "false",
+      title: reason ? `Not here: ${reason}` : `Key ${view.key}`,
+    };
     if (reason) attributes["aria-disabled"] = "true";
     return button(label, () => this.choose(view.id), attributes);
   }
@@ -68,21 +90,30 @@ class Viewer {
 
   jumps() {
     const { ssim_min_at, flip_max_at, first_differing } = this.fixture;
-    const jump = (words, at) => (at ? button(`${words} (${at[0]}, ${at[1]})`, () => this.lookAt({ x: at[0], y: at[1] })) : null);
+    const jump = (words, at) =>
+      at
+        ? button(`${words} (${at[0]}, ${at[1]})`, () => this.lookAt({ x: at[0], y: at[1] }))
+        : null;
     const isTold = isDifferent(this.fixture);
     return element(
       "div",
       { class: "jumps" },
-      isTold ? [jump("Worst window", ssim_min_at), jump("Worst FLIP", flip_max_at), jump("First differing", first_differing)] : null,
+      isTold
+        ? [
+            jump("Worst window", ssim_min_at),
+            jump("Worst FLIP", flip_max_at),
+            jump("First differing", first_differing),
+          ]
+        : null,
     );
   }
 
-  /// Shows the view that the reader asks for, and keeps in mind that it was.
+  // Shows the view that the reader asks for, and keeps in mind that it was.
   choose(id) {
     if (this.show(id)) this.went(id);
   }
 
-  /// Shows a view; one that cannot be says why.
+  // Shows a view; one that cannot be says why.
   show(id) {
     const view = VIEWS.find((candidate) => candidate.id === id);
     const reason = view?.lacks(this.pictures, this.fixture);
@@ -98,18 +129,26 @@ class Viewer {
     this.controls.replaceChildren(...[this.shown.controls].filter(Boolean));
     for (const pane of this.shown.panes) listenToPane(pane.canvas, this.moves());
     this.stage.replaceChildren(...this.shown.panes.map((pane) => pane.root));
-    for (const made of this.buttons) made.setAttribute("aria-pressed", String(made.dataset.view === id));
+    for (const made of this.buttons)
+      made.setAttribute("aria-pressed", String(made.dataset.view === id));
     this.layOut();
     return true;
   }
 
-  /// The wanted view, or else the one that says most; where pictures cannot be
-  /// compared, why.
+  // The wanted view, or else the one that says most; where pictures cannot be
+  // compared, why.
   open(wanted) {
     const first = [wanted, ...FAVORITES].find((id) => id && this.show(id));
     const reason = lacksPair(this.pictures, this.fixture);
     this.note.textContent = reason ? `Nothing to compare: ${reason}.` : "";
-    if (!first) this.stage.replaceChildren(element("p", { class: "empty" }, "There is no picture: neither a golden, nor one of this run."));
+    if (!first)
+      this.stage.replaceChildren(
+        element(
+          "p",
+          { class: "empty" },
+          "There is no picture: neither a golden, nor one of this run.",
+        ),
+      );
   }
 
   say(words) {
@@ -152,7 +191,7 @@ class Viewer {
     this.readout.announce(place);
   }
 
-  /// By how much the pictures differ, a number for each pixel.
+  // By how much the pictures differ, a number for each pixel.
   differences() {
     this.found ??= pixelDifferences(this.pictures.golden, this.pictures.actual);
     return this.found;
@@ -167,7 +206,9 @@ class Viewer {
     const room = window.innerHeight * (columns < panes.length ? STACKED_SHARE : PANE_SHARE);
     this.stage.style.setProperty("--columns", String(columns));
     const paneWidth = panes[0].canvas.clientWidth;
-    const paneHeight = Math.round(Math.max(Math.min((paneWidth * height) / width, room), LEAST_PANE_PX));
+    const paneHeight = Math.round(
+      Math.max(Math.min((paneWidth * height) / width, room), LEAST_PANE_PX),
+    );
     this.stage.style.setProperty("--pane-height", `${paneHeight}px`);
     this.viewport.setPane(paneWidth, paneHeight);
   }

@@ -1,6 +1,6 @@
 // Blink: golden and actual picture in turn at one place, where the eye sees what moves.
 
-/// Half a second each: quick enough to see a change, far below what harms.
+// Half a second each: quick enough to see a change, far below what harms.
 const BLINK_MS = 500;
 
 const BLINK_VIEW = {
@@ -11,8 +11,13 @@ const BLINK_VIEW = {
   open(stage) {
     const { golden, actual } = stage.pictures;
     let isGoldenShown = true;
-    const larger = { width: Math.max(golden.width, actual.width), height: Math.max(golden.height, actual.height) };
-    const pane = makePane("Golden", larger, (draw) => draw((isGoldenShown ? golden : actual).canvas));
+    const larger = {
+      width: Math.max(golden.width, actual.width),
+      height: Math.max(golden.height, actual.height),
+    };
+    const pane = makePane("Golden", larger, (draw) =>
+      draw((isGoldenShown ? golden : actual).canvas),
+    );
     const flip = () => {
       isGoldenShown = !isGoldenShown;
       pane.caption.textContent = isGoldenShown ? "Golden" : "Actual";
@@ -20,7 +25,11 @@ const BLINK_VIEW = {
     };
     const clock = makeClock(flip);
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const automatic = element("input", { type: "checkbox", checked: !still, change: () => clock.run(automatic.checked) });
+    const automatic = element("input", {
+      type: "checkbox",
+      checked: !still,
+      change: () => clock.run(automatic.checked),
+    });
     clock.run(!still);
     // By hand it is looked at in peace.
     const byHand = () => {

@@ -5,7 +5,8 @@ function mapView(id, key, label, legend, codeOf) {
     id,
     key,
     label,
-    lacks: (pictures, fixture) => lacksPair(pictures, fixture) ?? (pictures[id] ? null : `there is no map of ${label}`),
+    lacks: (pictures, fixture) =>
+      lacksPair(pictures, fixture) ?? (pictures[id] ? null : `there is no map of ${label}`),
     open({ pictures }) {
       const map = pictures[id];
       const layer = makeLayer(map.width, map.height, (i) => HEAT_TABLE[codeOf(map.data[4 * i])]);
@@ -14,7 +15,19 @@ function mapView(id, key, label, legend, codeOf) {
   };
 }
 
-/// A window that is alike is 255 in the page, and dark here, as all that is well.
-const SSIM_VIEW = mapView("ssim", "5", "SSIM", () => heatLegend("1, alike", "0, nothing alike"), (code) => 255 - code);
+// A window that is alike is 255 in the page, and dark here, as all that is well.
+const SSIM_VIEW = mapView(
+  "ssim",
+  "5",
+  "SSIM",
+  () => heatLegend("1, alike", "0, nothing alike"),
+  (code) => 255 - code,
+);
 
-const FLIP_VIEW = mapView("flip", "6", "FLIP", () => heatLegend("0, no visible error", "1, as far as colors are apart"), (code) => code);
+const FLIP_VIEW = mapView(
+  "flip",
+  "6",
+  "FLIP",
+  () => heatLegend("0, no visible error", "1, as far as colors are apart"),
+  (code) => code,
+);

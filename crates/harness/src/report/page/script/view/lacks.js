@@ -10,19 +10,21 @@ function lacksActual({ actual }, fixture) {
   return "there is no picture of this run";
 }
 
-/// Two pictures that are not one.
+// Two pictures that are not one.
 function lacksTwo(pictures, fixture) {
   const lacking = lacksGolden(pictures, fixture) ?? lacksActual(pictures, fixture);
   return lacking ?? (pictures.isGolden ? "the picture is the golden, byte for byte" : null);
 }
 
-/// Two pictures of one size.
+// Two pictures of one size.
 function lacksPair(pictures, fixture) {
   const lacking = lacksTwo(pictures, fixture);
   if (lacking) return lacking;
   const { golden, actual } = pictures;
   const isAlike = golden.width === actual.width && golden.height === actual.height;
-  return isAlike ? null : `the golden has ${sizeWords(golden)} pixels, the picture ${sizeWords(actual)}`;
+  return isAlike
+    ? null
+    : `the golden has ${sizeWords(golden)} pixels, the picture ${sizeWords(actual)}`;
 }
 
 function sizeWords({ width, height }) {

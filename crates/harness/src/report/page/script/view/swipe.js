@@ -1,6 +1,6 @@
 // Swipe: the golden left of a line, the actual picture right of it, and the line to be moved.
 
-/// In percent of the pane: an arrow key, and with shift or by page.
+// In percent of the pane: an arrow key, and with shift or by page.
 const SMALL_STEP = 1;
 const LARGE_STEP = 10;
 
@@ -12,7 +12,10 @@ const SWIPE_VIEW = {
   open(stage) {
     const { golden, actual } = stage.pictures;
     let place = 50;
-    const larger = { width: Math.max(golden.width, actual.width), height: Math.max(golden.height, actual.height) };
+    const larger = {
+      width: Math.max(golden.width, actual.width),
+      height: Math.max(golden.height, actual.height),
+    };
     const pane = makePane("Golden | Actual", larger, (draw, at) => {
       const edge = Math.round((at.width * place) / 100);
       clipped(at, 0, edge, () => draw(golden.canvas));
@@ -33,9 +36,13 @@ const SWIPE_VIEW = {
       handle.setAttribute("aria-valuetext", `${Math.round(place)} percent golden`);
       stage.redraw();
     };
-    const placeOf = (event) => (100 * (event.clientX - pane.canvas.getBoundingClientRect().left)) / pane.canvas.clientWidth;
+    const placeOf = (event) =>
+      (100 * (event.clientX - pane.canvas.getBoundingClientRect().left)) / pane.canvas.clientWidth;
     handle.addEventListener("pointerdown", (event) => handle.setPointerCapture(event.pointerId));
-    handle.addEventListener("pointermove", (event) => handle.hasPointerCapture(event.pointerId) && moveTo(placeOf(event)));
+    handle.addEventListener(
+      "pointermove",
+      (event) => handle.hasPointerCapture(event.pointerId) && moveTo(placeOf(event)),
+    );
     handle.addEventListener("keydown", (event) => moveByKey(event, place, moveTo));
     pane.root.append(element("div", { class: "over" }, handle));
     moveTo(place);

@@ -2,7 +2,7 @@
 
 const MARK_COLOR = [255, 64, 48];
 
-/// What is not marked has so little of its brightness.
+// What is not marked has so little of its brightness.
 const DIM = 0.35;
 
 function countOver(differences, threshold) {
