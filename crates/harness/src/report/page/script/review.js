@@ -116,11 +116,12 @@ function followServer() {
   let timer = null;
   stream.addEventListener("open", () => {
     clearTimeout(timer);
+    timer = null;
     setLost(false);
   });
   stream.addEventListener("error", () => {
-    clearTimeout(timer);
-    timer = setTimeout(() => setLost(stream.readyState !== EventSource.OPEN), LOST_AFTER_MS);
+    // Each attempt to come back fails anew, more often than that.
+    timer ??= setTimeout(() => setLost(true), LOST_AFTER_MS);
   });
   stream.addEventListener("state", (event) => takeState(JSON.parse(event.data)));
   stream.addEventListener("reload", () => {
