@@ -78,11 +78,12 @@ def open_page(browser):
     """Opens a page; at the end of the test nothing must have gone wrong on any."""
     opened = []
 
-    def open_page(path, *, width=1280, height=900, colors="light", motion="reduce"):
+    def open_page(path, *, width=1280, height=900, colors="light", motion="reduce", touch=False):
         context = browser.new_context(
             viewport={"width": width, "height": height},
             color_scheme=colors,
             reduced_motion=motion,
+            has_touch=touch,
             permissions=["clipboard-read", "clipboard-write"],
         )
         url = path if isinstance(path, str) else path.as_uri()

@@ -368,3 +368,36 @@ def test_the_view_is_in_the_link_and_goes_on_to_the_next_fixture(temple, open_pa
     temple.press("j")
     temple.page.wait_for_function("() => document.querySelector('h1').textContent === 'show/depth' && document.querySelector('.viewer')")
     assert pressed(temple) == ["FLIP"]
+
+
+def test_a_click_keeps_a_pixel_and_a_drag_does_not(temple):
+    temple.point(70, 40)
+    temple.page.mouse.down()
+    temple.page.mouse.up()
+    temple.page.mouse.move(1, 1)
+    assert temple.text(".readout .place").startswith("x 70, y 40")
+    temple.point(20, 20)
+    temple.page.mouse.down()
+    temple.page.mouse.move(100, 300, steps=3)
+    temple.page.mouse.up()
+    temple.page.mouse.move(1, 1)
+    assert temple.text(".readout .place").startswith("x 70, y 40")
+
+
+def test_two_fingers_pinch(open_page, broken_page):
+    look = open_page(broken_page, touch=True).fixture(suites.DIFFERS, "golden")
+    fitted = look.scale()
+    x, y = look.place(80, 60)
+    session = look.page.context.new_cdp_session(look.page)
+
+    def touch(kind, *points):
+        places = [{"x": px, "y": py, "id": i} for i, (px, py) in enumerate(points)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
+
+    touch("touchStart", (x - 20, y), (x + 20, y))
+    for step in range(1, 11):
+        touch("touchMove", (x - 20 - 4 * step, y), (x + 20 + 4 * step, y))
+    touch("touchEnd")
+    assert look.scale() == pytest.approx(3 * fitted, rel=0.1)
+    look.page.mouse.move(x, y)
+    assert look.text(".readout .place").startswith(("x 80, y 60", "x 79, y 60", "x 80, y 59", "x 79, y 59")), "it stays between them"

@@ -21,6 +21,7 @@ pub(super) const SCRIPTS: &[&str] = &[
     include_str!("script/viewport.js"),
     include_str!("script/layer.js"),
     include_str!("script/pane.js"),
+    include_str!("script/pointers.js"),
     include_str!("script/gestures.js"),
     include_str!("script/slider.js"),
     include_str!("script/readout.js"),

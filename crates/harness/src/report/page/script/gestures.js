@@ -1,4 +1,4 @@
-// Wheel, drag, pinch, double click and keys on a pane, as moves of the viewport and the cursor.
+// Wheel, double click and keys on a pane, as moves of the viewport and the cursor.
 
 // A notch of a wheel, about 100 pixels, is a factor of 1.26.
 const WHEEL_PIXELS_PER_DOUBLING = 300;
@@ -14,7 +14,8 @@ function pointIn(canvas, event) {
   return { x: event.clientX - box.left, y: event.clientY - box.top };
 }
 
-// `moves` has `viewport`, `hover(place or null)` and `moveCursor(dx, dy)`.
+// `moves` has `viewport`, `hover(place or null)`, `putCursor(place)` and
+// `moveCursor(dx, dy)`.
 function listenToPane(canvas, moves) {
   canvas.addEventListener("wheel", (event) => zoomByWheel(canvas, event, moves.viewport), {
     passive: false,
@@ -38,38 +39,6 @@ function zoomByWheel(canvas, event, viewport) {
 function toggleClose(at, viewport) {
   if (viewport.isFitted) viewport.zoom(CLOSE_SCALE / viewport.scale, at);
   else viewport.fit();
-}
-
-// One pointer drags, two pinch.
-function listenToPointers(canvas, { viewport, hover }) {
-  const down = new Map();
-  canvas.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    down.set(event.pointerId, pointIn(canvas, event));
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const [before, point] = [down.get(event.pointerId), pointIn(canvas, event)];
-    // A finger on the whole picture is about to scroll the page.
-    const isScroll = event.pointerType === "touch" && viewport.isFitted;
-    if (before && down.size === 1 && !isScroll)
-      viewport.pan(point.x - before.x, point.y - before.y);
-    if (before && down.size === 2) pinch(down, event.pointerId, before, point, viewport);
-    if (before) down.set(event.pointerId, point);
-    hover(viewport.pixelAt(point));
-  });
-  for (const end of ["pointerup", "pointercancel"])
-    canvas.addEventListener(end, (event) => down.delete(event.pointerId));
-}
-
-function pinch(down, id, before, point, viewport) {
-  const other = [...down].find(([key]) => key !== id)[1];
-  const apart = (a) => Math.max(Math.hypot(a.x - other.x, a.y - other.y), 1);
-  viewport.zoom(apart(point) / apart(before), {
-    x: (point.x + other.x) / 2,
-    y: (point.y + other.y) / 2,
-  });
-  viewport.pan((point.x - before.x) / 2, (point.y - before.y) / 2);
 }
 
 function moveCursorByKey(event, { moveCursor }) {

@@ -52,7 +52,7 @@ function makeReadout(pictures, fixture) {
     const facts = at ? pixelFacts(pictures, fixture, at) : {};
     place.textContent = at
       ? `x ${at.x}, y ${at.y}${facts.object ? ` · ${facts.object}` : ""}`
-      : "point at a pixel, or move the cursor by arrow keys";
+      : "point at one, or click to keep it and go on by arrow keys";
     rows.golden.fill(facts.golden, facts.linearGolden, facts.golden);
     rows.actual.fill(facts.actual, facts.linearActual, facts.actual);
     rows.difference.fill(facts.difference, null, null);

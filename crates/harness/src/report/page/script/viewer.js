@@ -160,6 +160,7 @@ class Viewer {
     return {
       viewport: this.viewport,
       hover: (place) => this.hover(place),
+      putCursor: (place) => this.putCursor(place),
       moveCursor: (dx, dy) => this.moveCursor(dx, dy),
     };
   }
@@ -189,6 +190,7 @@ class Viewer {
     this.hovered = null;
     this.readout.show(place);
     this.readout.announce(place);
+    this.redraw();
   }
 
   // By how much the pictures differ, a number for each pixel.
