@@ -5,11 +5,10 @@ import re
 from pathlib import Path
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import sync_playwright
-
 import suites
+from axe_playwright_python.sync_playwright import Axe
 from looking import Look
+from playwright.sync_api import sync_playwright
 
 # All that there is of WCAG up to 2.2 AA, and what axe holds to be good practice.
 AXE_TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]

@@ -17,7 +17,10 @@ class Look:
         self.page = page
         self.url = url
         self.problems = []
-        page.on("console", lambda message: message.type in ("error", "warning") and self.problems.append(message.text))
+        page.on(
+            "console",
+            lambda message: message.type in ("error", "warning") and self.problems.append(message.text),
+        )
         page.on("pageerror", lambda error: self.problems.append(str(error)))
         page.on("request", lambda request: self.keep_request(request.url))
 
@@ -92,8 +95,10 @@ class Look:
         each pixel's middle."""
         drawn, scale = self.drawn(pane), self.scale()
         places = [
-            numpy.floor(numpy.floor(on_screen / 2 - side / 2 * scale + 0.5) + (numpy.arange(side) + 0.5) * scale).astype(int)
-            for on_screen, side in zip(drawn.shape[1::-1], self.size(pane))
+            numpy.floor(
+                numpy.floor(on_screen / 2 - side / 2 * scale + 0.5) + (numpy.arange(side) + 0.5) * scale
+            ).astype(int)
+            for on_screen, side in zip(drawn.shape[1::-1], self.size(pane), strict=False)
         ]
         return drawn[numpy.ix_(places[1], places[0])]
 
@@ -102,7 +107,9 @@ class Look:
         box = self.canvas(pane).bounding_box()
         width, height = self.size(pane)
         middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-        return middle[0] + (x + 0.5 - width / 2) * self.scale(), middle[1] + (y + 0.5 - height / 2) * self.scale()
+        return middle[0] + (x + 0.5 - width / 2) * self.scale(), middle[1] + (
+            y + 0.5 - height / 2
+        ) * self.scale()
 
     def point(self, x, y, pane=0):
         self.canvas(pane).scroll_into_view_if_needed()

@@ -26,15 +26,16 @@ MATCHES = ["encoding/srgb-ramp", "mesh/knot-flat", "scene/balls-on-floor", "sphe
 
 # A name as bad as a file system allows, and one as long.
 ODD = """odd/it's "100 %" <b>&amp;ünï #1?"""
-LONG = "odd/" + "a-very-long-name-" * 12
+LONG = "odd/" + "averylongnamewithoutabreak" * 8
 ONE_PIXEL = "odd/one-pixel"
 WIDE = "odd/wide"
 
 # Where the golden of DIFFERS is changed, rows by columns: a patch by much, a
-# band by little, and a pixel by one code.
+# band by little, a pixel by one code, and one in blue alone.
 PATCH = (slice(34, 52), slice(60, 92))
 BAND = (slice(96, 104), slice(20, 140))
 PIXEL = (3, 5)
+BLUE_PIXEL = (110, 7)
 
 
 class Goldray:
@@ -48,7 +49,9 @@ class Goldray:
         command = [self.program, "--root", root, *arguments]
         ran = subprocess.run(command, capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"})
         said = ran.stdout + ran.stderr
-        assert ran.returncode == expected, f"{arguments}: exit code {ran.returncode}, expected {expected}\n{said}"
+        assert ran.returncode == expected, (
+            f"{arguments}: exit code {ran.returncode}, expected {expected}\n{said}"
+        )
         return said
 
     def check(self, root, *arguments, expected=1):
@@ -62,7 +65,10 @@ def copy(root, *names):
     for name in names:
         duplicate(root, name, name)
         for mesh in re.findall(r'file: "([^"]+)"', text_of(root, name)):
-            place(REPOSITORY / "fixtures" / Path(name).parent / mesh, root / "fixtures" / Path(name).parent / mesh)
+            place(
+                REPOSITORY / "fixtures" / Path(name).parent / mesh,
+                root / "fixtures" / Path(name).parent / mesh,
+            )
 
 
 def duplicate(root, name, other):
@@ -117,6 +123,7 @@ def change_temple(picture):
     picture[PATCH] += (60, -40, 20)
     picture[BAND] += (0, 4, 0)
     picture[PIXEL] += (1, 0, 0)
+    picture[BLUE_PIXEL] += (0, 0, 9)
 
 
 def lighten(picture):
@@ -130,12 +137,28 @@ def cut(picture):
 
 def broken(root):
     """Every verdict but those of a broken relation and of a file's size."""
-    names = [DIFFERS, DIFFERS_SLIGHTLY, LIMITED, STALE, MISSING, TAMPERED, WRONG_SIZE, REFUSED, EXPECTATION, *MATCHES]
+    names = [
+        DIFFERS,
+        DIFFERS_SLIGHTLY,
+        LIMITED,
+        STALE,
+        MISSING,
+        TAMPERED,
+        WRONG_SIZE,
+        REFUSED,
+        EXPECTATION,
+        *MATCHES,
+    ]
     copy(root, *names)
     change_golden(root, DIFFERS, change_temple)
     change_golden(root, DIFFERS_SLIGHTLY, lighten)
     change_golden(root, LIMITED, cut)
-    edit(root, LIMITED, "check: (", 'check: (limits: (ssim: 0.97, ssim_worst: 0.9, max_abs: 9, reason: "a trial of limits"), ')
+    edit(
+        root,
+        LIMITED,
+        "check: (",
+        'check: (limits: (ssim: 0.97, ssim_worst: 0.9, max_abs: 9, reason: "a trial of limits"), ',
+    )
     edit(root, STALE, "camera:", "samples_per_pixel: 16, camera:")
     golden_path(root, MISSING).unlink()
     change_golden(root, TAMPERED, cut, keeps_note=True)
@@ -187,10 +210,16 @@ def empty(root):
 
 def many(root, count):
     """So many fixtures, each twentieth a failure."""
-    names = [str(path.relative_to(REPOSITORY / "golden"))[:-4] for path in sorted((REPOSITORY / "golden").rglob("*.png"))]
+    names = [
+        str(path.relative_to(REPOSITORY / "golden"))[:-4]
+        for path in sorted((REPOSITORY / "golden").rglob("*.png"))
+    ]
     names = [name for name in names if 'file: "' not in text_of(REPOSITORY, name)]
     for i in range(count):
-        name, other = names[i % len(names)], f"copy-{i // len(names):02}/{names[i % len(names)].replace('/', '-')}"
+        name, other = (
+            names[i % len(names)],
+            f"copy-{i // len(names):02}/{names[i % len(names)].replace('/', '-')}",
+        )
         duplicate(root, name, other)
         if i % 20 == 0:
             change_golden(root, other, lighten)

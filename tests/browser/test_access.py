@@ -1,7 +1,6 @@
 """Every page and view for everybody: axe's rules, light and dark, phones, the keyboard."""
 
 import pytest
-
 import suites
 
 VIEWS = ["sides", "blink", "swipe", "difference", "ssim", "flip", "threshold", "objects", "golden", "actual"]
@@ -33,7 +32,10 @@ def test_every_view(open_page, broken_page, axe, shoot, colors):
 
 
 @pytest.mark.parametrize("colors", ["light", "dark"])
-@pytest.mark.parametrize("name", [suites.LIMITED, suites.REFUSED, suites.ORPHAN, suites.WRONG_SIZE, suites.EXPECTATION, suites.MATCHES[0]])
+@pytest.mark.parametrize(
+    "name",
+    [suites.LIMITED, suites.REFUSED, suites.ORPHAN, suites.WRONG_SIZE, suites.EXPECTATION, suites.MATCHES[0]],
+)
 def test_every_kind_of_fixture(open_page, broken_page, axe, shoot, name, colors):
     look = open_page(broken_page, colors=colors).fixture(name)
     for summary in look.page.locator(".metrics summary").all():
@@ -87,4 +89,14 @@ def test_all_by_keyboard(open_page, broken_page):
             break
         assert is_seen, f"the focus on {here} is not seen"
         reached.add(here)
-    assert {"theme", "show-keys", "sides", "actual", "slider", "application", "SUMMARY", "CODE", "OL"} <= reached
+    assert {
+        "theme",
+        "show-keys",
+        "sides",
+        "actual",
+        "slider",
+        "application",
+        "SUMMARY",
+        "CODE",
+        "OL",
+    } <= reached

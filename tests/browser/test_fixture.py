@@ -1,7 +1,6 @@
 """The page of a fixture beside its pictures: what is said, the source, commands, keys."""
 
 import pytest
-
 import suites
 
 
@@ -27,7 +26,9 @@ def test_the_source_is_the_file_line_by_line(temple):
 def test_blamed_lines_are_marked_and_led_to(temple):
     blamed = entry(temple, suites.DIFFERS)["blamed"]
     lines = {one["line"] for one in blamed if one["line"] is not None}
-    marked = temple.page.eval_on_selector_all(".source .is-blamed", "(all) => all.map((one) => Number(one.id.slice(5)))")
+    marked = temple.page.eval_on_selector_all(
+        ".source .is-blamed", "(all) => all.map((one) => Number(one.id.slice(5)))"
+    )
     assert marked == sorted(lines) and len(lines) > 4
     first = blamed[0]
     temple.page.click(f".blame button:has-text('{first['kind']}, line {first['line']}')")
@@ -41,8 +42,14 @@ def test_metrics_are_held_against_limits(open_page, broken_page):
     fixture = entry(look, suites.LIMITED)
     words = {limit["metric"]: limit for limit in fixture["limits"]}
     assert set(words) == {"ssim_mean", "ssim_min", "max_abs"}
-    broken = look.page.eval_on_selector_all(".metrics .is-broken", "(all) => all.map((one) => one.dataset.metric)")
-    assert sorted(broken) == sorted(name for name, limit in words.items() if limit["broken"]) == ["max_abs", "ssim_min"]
+    broken = look.page.eval_on_selector_all(
+        ".metrics .is-broken", "(all) => all.map((one) => one.dataset.metric)"
+    )
+    assert (
+        sorted(broken)
+        == sorted(name for name, limit in words.items() if limit["broken"])
+        == ["max_abs", "ssim_min"]
+    )
     assert look.text("[data-metric=max_abs] td:nth-child(3)").startswith("≤ 9 ✗")
     assert look.text("[data-metric=ssim_mean] td:nth-child(3)").startswith("≥ 0.97 ✓")
     assert look.text("[data-metric=max_abs] td:nth-child(2)").split()[0] == str(fixture["max_abs"])
@@ -72,10 +79,15 @@ def test_hundreds_of_findings_are_folded(open_page, odd_page):
 def test_commands_are_copied(temple, goldray, broken_page):
     root = broken_page.parents[2]
     commands = temple.texts(".command code")
-    assert commands == [f"cargo xtask --root {root} check {suites.DIFFERS}", f"cargo xtask --root {root} bless {suites.DIFFERS}"]
+    assert commands == [
+        f"cargo xtask --root {root} check {suites.DIFFERS}",
+        f"cargo xtask --root {root} bless {suites.DIFFERS}",
+    ]
     for number, command in enumerate(commands):
         temple.page.locator(".command button").nth(number).click()
-        temple.page.wait_for_function(f"() => document.querySelectorAll('.command button')[{number}].textContent === 'Copied'")
+        temple.page.wait_for_function(
+            f"() => document.querySelectorAll('.command button')[{number}].textContent === 'Copied'"
+        )
         assert temple.page.evaluate("navigator.clipboard.readText()") == command
 
 
@@ -89,7 +101,12 @@ def test_next_and_previous_follow_the_overview(look):
     look.page.select_option("#sort", "name")
     names = look.names()
     look.page.click(f".card[data-name='{names[1]}'] a")
-    h1 = lambda name: look.page.wait_for_function("(name) => document.querySelector('h1').textContent === name", arg=name)
+
+    def h1(name):
+        return look.page.wait_for_function(
+            "(name) => document.querySelector('h1').textContent === name", arg=name
+        )
+
     h1(names[1])
     look.press("j")
     h1(names[2])
@@ -137,7 +154,9 @@ def test_a_name_that_no_fixture_has(open_page, broken_page, name):
 
 
 def test_light_and_dark(temple):
-    paper = lambda: temple.page.evaluate("getComputedStyle(document.body).backgroundColor")
+    def paper():
+        return temple.page.evaluate("getComputedStyle(document.body).backgroundColor")
+
     light = paper()
     temple.page.click("#theme")
     assert paper() != light

@@ -4,7 +4,6 @@ import re
 import time
 
 import pytest
-
 import suites
 from conftest import MANY
 
@@ -124,6 +123,7 @@ def test_cards_by_keys(look):
     look.press("j", "j", "k", "j", "Enter")
     look.page.wait_for_selector(".viewer, .pictures .empty")
     assert look.text("h1") == names[1]
+    assert look.page.evaluate("document.activeElement.id") == "main"
     look.press("Escape")
     focused = look.page.evaluate("document.activeElement.closest('.card')?.dataset.name")
     assert focused == names[1], "back where it was left"
@@ -135,7 +135,9 @@ def test_two_thousand_fixtures(open_page, many_page, capsys, shoot):
     look = open_page(many_page)
     began = time.monotonic()
     look.page.goto(look.url)
-    look.page.wait_for_function("() => [...document.querySelectorAll('.frame img')].some((img) => img.complete && img.naturalWidth > 0)")
+    look.page.wait_for_function(
+        "() => [...document.querySelectorAll('.frame img')].some((img) => img.complete && img.naturalWidth > 0)"
+    )
     first_picture = time.monotonic() - began
     megabytes = many_page.stat().st_size / 1e6
     with capsys.disabled():
@@ -151,4 +153,6 @@ def test_two_thousand_fixtures(open_page, many_page, capsys, shoot):
     assert time.monotonic() - began < 1
     look.page.fill("#filter-text", "")
     look.page.evaluate("scrollTo(0, document.body.scrollHeight)")
-    look.page.wait_for_function("() => document.querySelector('.card:last-child .frame img')?.naturalWidth > 0")
+    look.page.wait_for_function(
+        "() => document.querySelector('.card:last-child .frame img')?.naturalWidth > 0"
+    )

@@ -7,7 +7,6 @@ import subprocess
 import time
 
 import pytest
-
 import suites
 
 
@@ -65,7 +64,10 @@ def review(serve, open_page):
 
 def goldens(root):
     """Every golden with its bytes."""
-    return {str(path.relative_to(root / "golden"))[:-4]: path.read_bytes() for path in (root / "golden").rglob("*.png")}
+    return {
+        str(path.relative_to(root / "golden"))[:-4]: path.read_bytes()
+        for path in (root / "golden").rglob("*.png")
+    }
 
 
 def changed(before, after):
@@ -80,7 +82,9 @@ def wait_for_decision(look, name, decision):
 
 
 def progress(look, words):
-    look.page.wait_for_function("(words) => document.querySelector('#progress').textContent === words", arg=words)
+    look.page.wait_for_function(
+        "(words) => document.querySelector('#progress').textContent === words", arg=words
+    )
 
 
 def test_accept_writes_one_golden_and_undo_brings_its_bytes_back(review, axe, shoot):

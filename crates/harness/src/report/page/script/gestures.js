@@ -14,7 +14,7 @@ function pointIn(canvas, event) {
   return { x: event.clientX - box.left, y: event.clientY - box.top };
 }
 
-// `moves` has `viewport`, `hover(place or null)`, `putCursor(place)` and
+// `moves` has `viewport`, `hover(point or null)`, `putCursor(place)` and
 // `moveCursor(dx, dy)`.
 function listenToPane(canvas, moves) {
   canvas.addEventListener("wheel", (event) => zoomByWheel(canvas, event, moves.viewport), {

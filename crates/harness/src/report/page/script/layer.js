@@ -5,9 +5,11 @@ function makeLayer(width, height, color) {
   const canvas = blankCanvas(width, height);
   const context = contextOf(canvas);
   const image = context.createImageData(width, height);
+  const { data } = image;
   for (let i = 0; i < width * height; i++) {
-    const [r, g, b] = color(i);
-    image.data.set([r, g, b, 255], 4 * i);
+    const at = 4 * i;
+    [data[at], data[at + 1], data[at + 2]] = color(i);
+    data[at + 3] = 255;
   }
   context.putImageData(image, 0, 0);
   return canvas;

@@ -14,7 +14,7 @@ function listenToPointers(canvas, moves) {
   canvas.addEventListener("pointermove", (event) => {
     const at = pointIn(canvas, event);
     if (down.has(event.pointerId)) dragOrPinch(down, event, at, moves.viewport);
-    moves.hover(moves.viewport.pixelAt(at));
+    moves.hover(at);
   });
   canvas.addEventListener("pointerup", (event) => {
     const place = moves.viewport.pixelAt(pointIn(canvas, event));

@@ -36,6 +36,7 @@ class Viewer {
       went,
       showLine,
       cursor: null,
+      pointer: null,
       hovered: null,
       view: null,
       shown: null,
@@ -159,15 +160,23 @@ class Viewer {
   moves() {
     return {
       viewport: this.viewport,
-      hover: (place) => this.hover(place),
+      hover: (point) => this.hover(point),
       putCursor: (place) => this.putCursor(place),
       moveCursor: (dx, dy) => this.moveCursor(dx, dy),
     };
   }
 
-  hover(place) {
-    this.hovered = place;
-    this.readout.show(place ?? this.cursor);
+  // At a point of a pane.
+  hover(point) {
+    this.pointer = point;
+    this.read();
+  }
+
+  // The pixel under the pointer, which is another one when the picture moves;
+  // else that of the cursor.
+  read() {
+    this.hovered = this.pointer ? this.viewport.pixelAt(this.pointer) : null;
+    this.readout.show(this.hovered ?? this.cursor);
   }
 
   moveCursor(dx, dy) {
@@ -187,8 +196,7 @@ class Viewer {
 
   putCursor(place) {
     this.cursor = place;
-    this.hovered = null;
-    this.readout.show(place);
+    this.pointer = null;
     this.readout.announce(place);
     this.redraw();
   }
@@ -221,6 +229,7 @@ class Viewer {
     // A drag at the whole picture's size scrolls the page, on a touch screen.
     this.stage.classList.toggle("is-fitted", this.viewport.isFitted);
     for (const pane of this.shown?.panes ?? []) drawPane(pane, this.viewport, this.cursor);
+    this.read();
   }
 
   close() {
