@@ -91,7 +91,7 @@ const KEYS = [
 // On the overview, of what is selected, or else of the card in focus.
 function decideHere(action) {
   if (current.fixture) return current.decide(action);
-  const names = current.batch.names();
+  const names = current.batch?.names() ?? [];
   const focused = document.activeElement.closest?.(".card")?.dataset.name;
   return decide(action, names.length === 0 && focused ? [focused] : names);
 }

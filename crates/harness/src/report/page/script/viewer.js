@@ -23,6 +23,9 @@ const PANE_SHARE = 0.62;
 const STACKED_SHARE = 0.36;
 const LEAST_PANE_PX = 120;
 
+// Panes narrower than this stand below each other.
+const LEAST_COLUMN_PX = 200;
+
 // Pictures wider than so many times their height stand below each other.
 const WIDE_ASPECT = 2.5;
 
@@ -122,6 +125,8 @@ class Viewer {
       if (reason) this.say(`${view.label} is not here: ${reason}.`);
       return false;
     }
+    const lacking = lacksPair(this.pictures, this.fixture);
+    this.note.textContent = lacking ? `Nothing to compare: ${lacking}.` : "";
     if (view === this.view) return true;
     this.shown?.close?.();
     this.view = view;
@@ -136,12 +141,9 @@ class Viewer {
     return true;
   }
 
-  // The wanted view, or else the one that says most; where pictures cannot be
-  // compared, why.
+  // The wanted view, or else the one that says most.
   open(wanted) {
     const first = [wanted, ...FAVORITES].find((id) => id && this.show(id));
-    const reason = lacksPair(this.pictures, this.fixture);
-    this.note.textContent = reason ? `Nothing to compare: ${reason}.` : "";
     if (!first)
       this.stage.replaceChildren(
         element(
@@ -211,7 +213,7 @@ class Viewer {
     const panes = this.shown?.panes ?? [];
     if (panes.length === 0 || !this.stage.isConnected) return;
     const { width, height } = this.viewport;
-    const isRow = width / height <= WIDE_ASPECT && this.stage.clientWidth >= 200 * panes.length;
+    const isRow = width / height <= WIDE_ASPECT && this.stage.clientWidth >= LEAST_COLUMN_PX * panes.length;
     const columns = isRow ? panes.length : 1;
     const room = window.innerHeight * (columns < panes.length ? STACKED_SHARE : PANE_SHARE);
     this.stage.style.setProperty("--columns", String(columns));
