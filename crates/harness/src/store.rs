@@ -5,18 +5,20 @@
 #![allow(clippy::disallowed_methods)]
 
 mod folder_assets;
+mod stamp;
 #[cfg(test)]
 mod tests;
 
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Component, Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{OnceLock, RwLock};
 
 use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
 pub use folder_assets::FolderAssets;
+pub use stamp::{Stamp, stamps};
 
 /// Something that could not be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -114,6 +116,15 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
     write_then(path, bytes, |file| file.persist(path).map(drop).map_err(|error| error.error))
 }
 
+/// Held by whoever writes a file, for as long as it is half-written.
+static WRITING: RwLock<()> = RwLock::new(());
+
+/// Waits until no file of this program is half-written, and lets none be begun
+/// for as long as the answer is held: for a program that is to end at once.
+pub fn nothing_half_written() -> impl Sized {
+    WRITING.write()
+}
+
 /// Whether a file may be written at this path.
 ///
 /// # Errors
@@ -136,6 +147,7 @@ fn write_then(
     persist: impl Fn(NamedTempFile) -> std::io::Result<()>,
 ) -> Result<(), StoreError> {
     check_place(path)?;
+    let _writing = WRITING.read();
     let write = || {
         let folder = path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
