@@ -117,6 +117,15 @@ pub fn to_png(picture: &EncodedImage, provenance: Option<&Provenance>) -> Result
     Layout::rgb(picture).to_png(picture.size(), Filter::Adaptive, note.as_deref())
 }
 
+/// The PNG file of a picture for a page: gray where it has no color, made fast.
+///
+/// # Errors
+/// What the encoder says.
+pub(crate) fn page_png(picture: &EncodedImage) -> Result<Vec<u8>, String> {
+    let layout = Layout::gray(picture).unwrap_or_else(|| Layout::rgb(picture));
+    layout.to_png(picture.size(), Filter::Adaptive, None)
+}
+
 /// The PNG file of a golden in few bytes: of all layouts that hold the picture
 /// and all filters, the pair that compresses best, the first of equals. The
 /// same bytes for the same picture and note.

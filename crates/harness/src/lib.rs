@@ -20,6 +20,7 @@ pub mod check;
 pub mod counts;
 pub mod digest;
 pub mod encode;
+pub mod evidence;
 pub mod expectation;
 pub mod faults;
 pub mod filter;

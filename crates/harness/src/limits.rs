@@ -5,7 +5,8 @@ mod tests;
 
 use serde::{Deserialize, Serialize};
 
-use crate::metric::Comparison;
+use crate::metric::Direction::{HigherIsBetter, LowerIsBetter};
+use crate::metric::{Comparison, Direction, METRICS};
 
 /// The limits of a fixture. One that says none has the tightest: identical
 /// bytes, which is an SSIM of 1 in every window.
@@ -96,19 +97,74 @@ impl Limits {
         let Some(limits) = limits else {
             return vec!["expected identical pictures".to_owned()];
         };
-        let worst_ssim = limits.ssim_worst.or(limits.ssim);
-        let worst_flip = limits.flip_worst.or(limits.flip);
+        limits.bounds().into_iter().filter(|bound| !bound.holds(c)).map(|b| b.words(c)).collect()
+    }
+
+    /// What each stated limit asks of which metric.
+    pub(crate) fn bounds(&self) -> Vec<Bound> {
+        type Stated<T> = (&'static str, Option<T>);
+        let bound = |(limit, accepted): Stated<f64>, metric, name, direction| {
+            Some(Bound { limit, metric, name, direction, accepted: accepted? })
+        };
+        let counted = |(limit, accepted): Stated<u64>| (limit, accepted.map(|count| count as f64));
+        let ssim = ("ssim", self.ssim);
+        let flip = ("flip", self.flip);
+        let ssim_worst = self.ssim_worst.map_or(ssim, |own| ("ssim_worst", Some(own)));
+        let flip_worst = self.flip_worst.map_or(flip, |own| ("flip_worst", Some(own)));
+        let max_abs = counted(("max_abs", self.max_abs.map(u64::from)));
+        let differing = counted(("differing_pixels", self.differing_pixels));
         [
-            below("mean SSIM", c.ssim_mean, limits.ssim),
-            below("worst window's SSIM", c.ssim_min, worst_ssim),
-            above("mean FLIP", c.flip_mean, limits.flip),
-            above("worst pixel's FLIP", c.flip_max, worst_flip),
-            above_count("largest difference", c.max_abs.into(), limits.max_abs.map(u64::from)),
-            above_count("count of differing pixels", c.differing_pixels, limits.differing_pixels),
+            bound(ssim, "ssim_mean", "mean SSIM", HigherIsBetter),
+            bound(ssim_worst, "ssim_min", "worst window's SSIM", HigherIsBetter),
+            bound(flip, "flip_mean", "mean FLIP", LowerIsBetter),
+            bound(flip_worst, "flip_max", "worst pixel's FLIP", LowerIsBetter),
+            bound(max_abs, "max_abs", "largest difference", LowerIsBetter),
+            bound(differing, "differing_pixels", "count of differing pixels", LowerIsBetter),
         ]
         .into_iter()
         .flatten()
         .collect()
+    }
+}
+
+/// What a limit asks of a metric.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bound {
+    /// The field of [`Limits`].
+    pub(crate) limit: &'static str,
+    /// The name of the metric in [`METRICS`].
+    pub(crate) metric: &'static str,
+    /// The metric in words.
+    name: &'static str,
+    /// Which way along the number line is accepted.
+    pub(crate) direction: Direction,
+    /// The last number that is accepted.
+    pub(crate) accepted: f64,
+}
+
+impl Bound {
+    /// The metric's number; NaN where the comparison has none.
+    pub(crate) fn found(&self, c: &Comparison) -> f64 {
+        let metric = METRICS.iter().find(|metric| metric.name == self.metric);
+        metric.and_then(|metric| (metric.value)(c)).unwrap_or(f64::NAN)
+    }
+
+    /// Whether the limit is kept. A NaN keeps none.
+    pub(crate) fn holds(&self, c: &Comparison) -> bool {
+        match self.direction {
+            HigherIsBetter => self.found(c) >= self.accepted,
+            LowerIsBetter => self.found(c) <= self.accepted,
+        }
+    }
+
+    fn words(&self, c: &Comparison) -> String {
+        let Self { name, accepted, .. } = self;
+        let side = if self.direction == HigherIsBetter { "below" } else { "above" };
+        let found = self.found(c);
+        // Counts are whole numbers, shares are told by six digits.
+        let is_count = matches!(self.metric, "max_abs" | "differing_pixels");
+        let found = if is_count { found.to_string() } else { format!("{found:.6}") };
+        format!("{name} {found} is {side} its limit {accepted}")
     }
 }
 
@@ -141,21 +197,4 @@ fn share_problems(
     };
     problems.push((worst_field, text));
     problems
-}
-
-// Positive tests: a NaN keeps no limit.
-
-fn below(name: &str, found: f64, limit: Option<f64>) -> Option<String> {
-    let limit = limit.filter(|&limit| !(found >= limit))?;
-    Some(format!("{name} {found:.6} is below its limit {limit}"))
-}
-
-fn above(name: &str, found: f64, limit: Option<f64>) -> Option<String> {
-    let limit = limit.filter(|&limit| !(found <= limit))?;
-    Some(format!("{name} {found:.6} is above its limit {limit}"))
-}
-
-fn above_count(name: &str, found: u64, limit: Option<u64>) -> Option<String> {
-    let limit = limit.filter(|&limit| found > limit)?;
-    Some(format!("{name} {found} is above its limit {limit}"))
 }

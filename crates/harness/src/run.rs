@@ -7,11 +7,13 @@ use rayon::prelude::*;
 use tracer::accel::Build;
 
 use crate::blame::blame;
+use crate::evidence::Evidence;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden;
 use crate::hash::content_hash;
 use crate::judge::{Found, Judgment, judge};
+use crate::metric::Comparison;
 use crate::picture::strip;
 use crate::record::Record;
 use crate::relation;
@@ -135,6 +137,16 @@ pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outco
         }
         _ => Vec::new(),
     };
+    let is_golden = judgment.verdict == Verdict::Match
+        && judgment.comparison.as_ref().is_some_and(Comparison::is_identical);
+    let evidence = match &rendered {
+        Ok((fixture, picture)) if !is_golden => {
+            let evidence = Evidence::of(fixture, picture, found.picture());
+            let path = suite.fixture_path(name);
+            Some(Box::new(evidence.map_err(|what| StoreError { path, what })?))
+        }
+        _ => None,
+    };
     let picture = rendered.ok().map(|(_, picture)| picture.encoded);
     let mut outcome = Outcome {
         findings: judgment.findings,
@@ -143,6 +155,7 @@ pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outco
         has_later_golden: matches!(&found, Found::Golden(golden) if golden.is_later()),
         comparison: judgment.comparison,
         blamed,
+        evidence,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,
         compare_ms,

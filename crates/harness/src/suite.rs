@@ -83,6 +83,9 @@ impl Suite {
     /// The folder for what a run leaves behind, relative to the suite.
     pub const ARTIFACTS: &str = "target/goldray";
 
+    /// The page that a check writes, relative to the suite.
+    pub const REPORT: &str = "target/goldray/report.html";
+
     /// The record of matches, relative to the suite.
     pub const RECORD: &str = "target/goldray-cache/matches.json";
 

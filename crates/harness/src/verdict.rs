@@ -1,6 +1,7 @@
 //! `Verdict`: what is said of a fixture, and `Outcome`: why.
 
 use crate::blame::Blamed;
+use crate::evidence::Evidence;
 use crate::metric::Comparison;
 
 /// What is said of a fixture. Everything but a match fails a run.
@@ -136,6 +137,8 @@ pub struct Outcome {
     pub relate_ms: f64,
     /// Where a picture of the failure was put, relative to the suite.
     pub strip: Option<String>,
+    /// What there is to see of a picture that is not its golden, for a report.
+    pub evidence: Option<Box<Evidence>>,
     /// Where the verdict is from.
     pub origin: Origin,
 }
@@ -157,6 +160,7 @@ impl Outcome {
             compare_ms: 0.0,
             relate_ms: 0.0,
             strip: None,
+            evidence: None,
             origin: Origin::Rendered,
         }
     }

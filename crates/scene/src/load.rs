@@ -75,6 +75,12 @@ pub fn load<C: Check>(
     }
 }
 
+/// What was written in a text, whether it makes sense or not; `None` where it
+/// cannot be read at all, which [`load`] explains.
+pub fn parse<C: DeserializeOwned>(text: &str) -> Option<SceneFile<C>> {
+    ron_options().from_str(text).ok()
+}
+
 /// The scene of a file that was changed after it was read; its `check` is not
 /// looked at.
 ///

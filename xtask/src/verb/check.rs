@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use harness::recheck::{Rechecked, recheck};
+use harness::report::page::{self, Kind};
 use harness::report::{outcome_line, run_json, summarize};
-use harness::run;
 use harness::suite::Suite;
 use harness::verdict::{Origin, Outcome, Verdict};
+use harness::{run, store};
 
 use xtask::progress::Progress;
 use xtask::{Answer, CannotAsk, Here};
@@ -55,6 +56,9 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if let Some(why) = &unkept {
         println!("the record of matches could not be kept: {why}");
     }
+    let page = page::html(&suite, &outcomes, elapsed * 1e3, Kind::Report, &reader);
+    store::write(&suite.root().join(Suite::REPORT), page.as_bytes())?;
+    println!("report: {}{}", reader.path_prefix, Suite::REPORT);
     if let Some(path) = &args.json {
         let json = serde_json::to_string_pretty(&run_json(&outcomes, elapsed * 1e3))?;
         here.write(path, json.as_bytes())?;

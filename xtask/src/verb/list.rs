@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use harness::metric::{Direction, METRICS, corpus};
+use harness::metric::{METRICS, corpus};
+use harness::report::metrics_json;
 use harness::suite::Suite;
 use serde_json::{Value, json};
 
@@ -56,23 +57,14 @@ fn fixtures(suite: &Suite, filters: &[String]) -> Result<(String, Value), Cannot
 }
 
 fn metrics() -> (String, Value) {
-    let direction = |d: Direction| match d {
-        Direction::HigherIsBetter => "higher is better",
-        Direction::LowerIsBetter => "lower is better",
-    };
     let mut text = String::new();
-    let mut all = Vec::new();
     for m in METRICS {
         let (name, range, unit) = (m.name, m.range, m.unit);
-        let way = direction(m.direction);
+        let way = m.direction.words();
         let limit = m.limit.map_or("reported only".to_owned(), |limit| format!("limits: {limit}"));
         let _ =
             write!(text, "{name}: {}\n  range {range}, unit {unit}, {way}, {limit}\n", m.measures);
         let _ = writeln!(text, "  cannot see: {}", m.blind_spot);
-        all.push(json!({
-            "name": name, "measures": m.measures, "range": range, "unit": unit,
-            "direction": way, "limit": m.limit, "blind_spot": m.blind_spot,
-        }));
     }
-    (text, json!({ "schema": 1, "metrics": all }))
+    (text, json!({ "schema": 1, "metrics": metrics_json() }))
 }

@@ -43,7 +43,7 @@ impl Layout {
     }
 
     /// `None` where a pixel has a color.
-    fn gray(picture: &EncodedImage) -> Option<Self> {
+    pub(super) fn gray(picture: &EncodedImage) -> Option<Self> {
         let gray = |&[r, g, b]: &[u8; 3]| (r == g && g == b).then_some(r);
         let values: Vec<u8> = picture.pixels().iter().map(gray).collect::<Option<_>>()?;
         // A depth holds the multiples of what its highest code stands for.

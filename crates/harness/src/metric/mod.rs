@@ -56,6 +56,16 @@ pub enum Direction {
     LowerIsBetter,
 }
 
+impl Direction {
+    /// As people say it.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::HigherIsBetter => "higher is better",
+            Self::LowerIsBetter => "lower is better",
+        }
+    }
+}
+
 /// Every metric, in the order of a report.
 pub const METRICS: &[Metric] = &[
     difference::MAX_ABS,

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::text::summarize;
 use crate::blame::Blamed;
-use crate::metric::{Comparison, DIFFERENCE_STEPS, METRICS};
+use crate::metric::{Comparison, DIFFERENCE_STEPS, METRICS, Metric};
 use crate::verdict::{Origin, Outcome, Verdict};
 
 /// The version of both documents below.
@@ -23,6 +23,13 @@ const SCHEMA: u32 = 1;
 /// number), `kind`, `line` and `column`, all null for the background, with
 /// `pixels` and `share`.
 pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
+    let fixtures: Vec<_> = outcomes.iter().map(|o| Value::Object(fixture_json(o))).collect();
+    let summary = summary_json(outcomes, elapsed_ms);
+    json!({ "schema": SCHEMA, "summary": summary, "fixtures": fixtures })
+}
+
+/// How many of each verdict, as in a run.
+pub(super) fn summary_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
     let summary = summarize(outcomes);
     let mut counts = Map::new();
     counts.insert("total".into(), json!(summary.total));
@@ -35,11 +42,11 @@ pub fn run_json(outcomes: &[Outcome], elapsed_ms: f64) -> Value {
     counts.insert("unchanged".into(), json!(summary.unchanged));
     counts.insert("audited".into(), json!(summary.audited));
     counts.insert("belied".into(), json!(summary.belied));
-    let fixtures: Vec<_> = outcomes.iter().map(fixture_json).collect();
-    json!({ "schema": SCHEMA, "summary": counts, "fixtures": fixtures })
+    Value::Object(counts)
 }
 
-fn fixture_json(outcome: &Outcome) -> Value {
+/// What is said of a fixture, as in a run.
+pub(super) fn fixture_json(outcome: &Outcome) -> Map<String, Value> {
     let mut fixture = Map::new();
     let mut put = |key: &str, value: Value| fixture.insert(key.to_owned(), value);
     put("name", json!(outcome.name));
@@ -58,7 +65,20 @@ fn fixture_json(outcome: &Outcome) -> Value {
     put("cached", json!(outcome.origin == Origin::Unchanged));
     put("audited", json!(matches!(outcome.origin, Origin::Audited | Origin::Belied)));
     fixture.extend(metrics(outcome.comparison.as_ref()));
-    Value::Object(fixture)
+    fixture
+}
+
+/// What each metric is: `name`, `measures`, `range`, `unit`, `direction`,
+/// `limit` (null where it is reported only) and `blind_spot`.
+pub fn metrics_json() -> Value {
+    let metric = |metric: &Metric| {
+        json!({
+            "name": metric.name, "measures": metric.measures, "range": metric.range,
+            "unit": metric.unit, "direction": metric.direction.words(), "limit": metric.limit,
+            "blind_spot": metric.blind_spot,
+        })
+    };
+    METRICS.iter().map(metric).collect()
 }
 
 /// What a difference lies on, as in a run.

@@ -40,6 +40,7 @@ pub struct Reader {
 ///     compare_ms: 0.0,
 ///     relate_ms: 0.0,
 ///     strip: Some("target/goldray/sphere/far.png".to_owned()),
+///     evidence: None,
 ///     origin: Origin::Rendered,
 /// };
 /// assert_eq!(

@@ -1,0 +1,127 @@
+//! The page that shows a run: one HTML file that needs nothing else, and reaches
+//! nothing.
+//!
+//! Its data is JSON in script elements. `id="report"` has the run as
+//! [`run_json`](super::run_json) tells it, with more of each fixture (see
+//! [`fixture`]); one element for each fixture, `id="fixture-N"`, has its pictures
+//! and is read only when they are looked at, so that thousands open at once.
+
+mod assets;
+mod fixture;
+
+use std::fmt::Write as _;
+
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use super::json::{metrics_json, summary_json};
+use super::text::{Reader, summarize};
+use crate::suite::Suite;
+use crate::verdict::{Outcome, Verdict};
+use assets::{PAGE, SCRIPTS, STYLE};
+use fixture::{Shown, shown};
+
+/// How the page is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A file.
+    Report,
+    /// From a server that takes decisions.
+    Review,
+    /// The same, and it checks again what is edited.
+    Watch,
+}
+
+impl Kind {
+    fn id(self) -> &'static str {
+        match self {
+            Self::Report => "report",
+            Self::Review => "review",
+            Self::Watch => "watch",
+        }
+    }
+}
+
+/// The most bytes of compressed linear values in a page, 32 MiB: what is beyond
+/// is left out, and the page then tells linear values from codes.
+const MAX_LINEAR_BYTES: usize = 32 << 20;
+
+/// The page of a run. Goldens and sources that the run has not kept are read
+/// from the suite; what cannot be read is left out.
+pub fn html(
+    suite: &Suite,
+    outcomes: &[Outcome],
+    elapsed_ms: f64,
+    kind: Kind,
+    reader: &Reader,
+) -> String {
+    let mut left = MAX_LINEAR_BYTES;
+    let has_linear: Vec<_> = outcomes
+        .iter()
+        .map(|outcome| {
+            let bytes = outcome.evidence.as_ref().map_or(0, |evidence| evidence.linear.len());
+            let fits = bytes <= left;
+            left -= if fits { bytes } else { 0 };
+            fits
+        })
+        .collect();
+    let show = |(outcome, has_linear)| shown(suite, outcome, has_linear, reader);
+    let all: Vec<Shown> = outcomes.par_iter().zip(has_linear).map(show).collect();
+    let verdict = |verdict: Verdict| json!({ "id": verdict.id(), "words": verdict.words() });
+    let report = json!({
+        "schema": 1,
+        "kind": kind.id(),
+        "root_flag": reader.root_flag,
+        "summary": summary_json(outcomes, elapsed_ms),
+        "metrics": metrics_json(),
+        "verdicts": Verdict::ALL.map(verdict),
+        "fixtures": all.iter().map(|shown| &shown.entry).collect::<Vec<_>>(),
+    });
+    let mut data = String::new();
+    put(&mut data, "report", &report);
+    for (number, shown) in all.iter().enumerate() {
+        put(&mut data, &format!("fixture-{number}"), &shown.pictures);
+    }
+    fill(&title(outcomes), &data)
+}
+
+/// A script element that no browser runs.
+fn put(data: &mut String, id: &str, value: &Value) {
+    // In JSON a `<` can only be in a string, where it may be written so; a
+    // browser would take `</script>` for the end, and `<!--` for a comment.
+    let json = value.to_string().replace('<', "\\u003c");
+    let _ = writeln!(data, "<script type=\"application/json\" id=\"{id}\">{json}</script>");
+}
+
+fn title(outcomes: &[Outcome]) -> String {
+    let summary = summarize(outcomes);
+    let matches = summary.counts.get(&Verdict::Match).copied().unwrap_or(0);
+    match summary.total - matches {
+        0 => format!("goldray: {matches} match"),
+        failures => format!("goldray: {failures} of {} do not match", summary.total),
+    }
+}
+
+/// The page with everything in its place. The places are sought in the page
+/// alone, whatever is put into them.
+fn fill(title: &str, data: &str) -> String {
+    let script = format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPTS.join("\n"));
+    let parts = [
+        ("<!--TITLE-->", title),
+        ("/*STYLE*/", STYLE),
+        ("<!--DATA-->", data),
+        ("/*SCRIPT*/", script.as_str()),
+    ];
+    let mut page = String::with_capacity(PAGE.len() + data.len() + STYLE.len() + script.len());
+    let mut rest = PAGE;
+    for (place, text) in parts {
+        let (before, after) = rest.split_once(place).unwrap_or((rest, ""));
+        page.push_str(before);
+        page.push_str(text);
+        rest = after;
+    }
+    page + rest
+}
+
+#[cfg(test)]
+mod tests;
