@@ -50,7 +50,10 @@ pub struct Review {
 #[derive(Debug, Clone)]
 enum Decided {
     /// The golden's bytes before and its hash after; `None` where there is none.
-    Accepted { before: Option<Vec<u8>>, after: Option<String> },
+    Accepted {
+        before: Option<Vec<u8>>,
+        after: Option<String>,
+    },
     Rejected,
 }
 
@@ -78,25 +81,23 @@ impl Review {
         }
     }
 
-    /// The review of what is judged later: what was decided stays decided where
-    /// a golden is still what was accepted, and where the very same picture was
-    /// rejected.
-    #[must_use]
-    pub fn followed_by(&self, outcomes: &[Outcome]) -> Self {
-        let mut later = Self::new(&self.suite, outcomes);
+    /// Takes over what was decided in an earlier review of the suite: what was
+    /// accepted stays so where the golden is still what was accepted, and what
+    /// was rejected where it is the very same picture.
+    pub fn inherit(&mut self, earlier: &Self) {
         let still_holds = |(name, decided): &(&String, &Decided)| match decided {
             Decided::Accepted { after, .. } => {
-                later.outcomes.get(*name).is_none_or(|o| o.verdict == Verdict::Match)
+                self.outcomes.get(*name).is_none_or(|o| o.verdict == Verdict::Match)
                     && self.golden_hash(name).as_ref() == Ok(after)
             }
             Decided::Rejected => {
-                self.steps.contains_key(*name) && self.steps.get(*name) == later.steps.get(*name)
+                earlier.steps.contains_key(*name)
+                    && earlier.steps.get(*name) == self.steps.get(*name)
             }
         };
-        let decided = self.decided.iter().filter(still_holds);
-        later.decided = decided.map(|(name, decided)| (name.clone(), decided.clone())).collect();
-        later.written.clone_from(&self.written);
-        later
+        let decided = earlier.decided.iter().filter(still_holds);
+        self.decided = decided.map(|(name, decided)| (name.clone(), decided.clone())).collect();
+        self.written.clone_from(&earlier.written);
     }
 
     /// What was judged, in the order of names.
@@ -115,6 +116,12 @@ impl Review {
     /// Whether accepting this name would write its golden, if nothing moved.
     pub fn can_accept(&self, name: &str) -> bool {
         self.steps.contains_key(name) && self.decision(name) != Some(Decision::Accepted)
+    }
+
+    /// Why this name cannot be accepted, where something about it is wrong that
+    /// no golden settles.
+    pub fn why_not(&self, name: &str) -> Option<&str> {
+        self.refused.get(name).map(String::as_str)
     }
 
     /// How it stands.
@@ -205,10 +212,7 @@ impl Review {
             return if self.golden_hash(name)? == *after { Ok(None) } else { Err(moved) };
         }
         self.failing(name)?;
-        let why = || match self.refused.get(name) {
-            Some(why) => why.clone(),
-            None => "it is a match by now".to_owned(),
-        };
+        let why = || self.why_not(name).unwrap_or("it is a match by now").to_owned();
         self.steps.get(name).map(Some).ok_or_else(why)
     }
 
@@ -234,19 +238,16 @@ impl Review {
         if old.as_ref().map(content_hash) != before {
             return Err(format!("{name} is not accepted: its golden moved in this very moment"));
         }
-        match commit(&self.suite, proposal) {
-            Err(moved) => Err(moved.iter().map(|moved| format!("Not accepted: {moved}")).collect()),
-            Ok(all) => match all.into_iter().next() {
-                Some((_, Blessed::Refused(why))) => {
-                    Err(format!("{name} is not accepted: {}", why.join("; ").trim_end()))
-                }
-                _ => {
-                    self.written.insert(name.clone(), after.clone());
-                    self.decided.insert(name, Decided::Accepted { before: old, after });
-                    Ok(())
-                }
-            },
+        let sentence = |why: String| format!("{name} is not accepted: {why}");
+        let blessed = commit(&self.suite, proposal).map_err(|moved| {
+            sentence(moved.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))
+        })?;
+        if let Some((_, Blessed::Refused(why))) = blessed.into_iter().next() {
+            return Err(sentence(why.join("; ").trim_end().to_owned()));
         }
+        self.written.insert(name.clone(), after.clone());
+        self.decided.insert(name, Decided::Accepted { before: old, after });
+        Ok(())
     }
 
     fn take_back(&mut self, name: &str) -> Result<(), String> {

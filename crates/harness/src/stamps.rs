@@ -46,7 +46,8 @@ impl Stamps {
             let name = path.file_name().unwrap_or_default().to_str().unwrap_or_default();
             !is_folder || !NOT_BUILT.contains(&name)
         };
-        let all = Self::SOURCES.iter().flat_map(|place| store::stamps(&root.join(place), &is_built));
+        let all =
+            Self::SOURCES.iter().flat_map(|place| store::stamps(&root.join(place), &is_built));
         Self(all.collect())
     }
 
@@ -137,8 +138,10 @@ mod tests {
     fn sources_are_what_is_built() {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
-        let built = ["Cargo.toml", "crates/tracer/src/lib.rs", "xtask/src/a.rs", ".cargo/config.toml"];
-        let not = ["crates/bench/src/a.rs", "xtask/stress/a.rs", "crates/tracer/tests/a.rs", "b.rs"];
+        let built =
+            ["Cargo.toml", "crates/tracer/src/lib.rs", "xtask/src/a.rs", ".cargo/config.toml"];
+        let not =
+            ["crates/bench/src/a.rs", "xtask/stress/a.rs", "crates/tracer/tests/a.rs", "b.rs"];
         for file in built.iter().chain(&not) {
             store::write(&root.join(file), b"").unwrap();
         }

@@ -81,8 +81,17 @@ pub fn program_hash() -> Result<String, StoreError> {
         std::env::current_exe()
     };
     let path = path.map_err(|error| StoreError::io(Path::new("."), &error))?;
-    let bytes = fs::read(&path).map_err(|error| StoreError::io(&path, &error))?;
-    Ok(HASH.get_or_init(|| blake3::hash(&bytes).to_hex().to_string()).clone())
+    let hash = file_hash(&path)?;
+    Ok(HASH.get_or_init(|| hash).clone())
+}
+
+/// The hash of a program in a file, as [`program_hash`] has it.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn file_hash(path: &Path) -> Result<String, StoreError> {
+    let bytes = fs::read(path).map_err(|error| StoreError::io(path, &error))?;
+    Ok(blake3::hash(&bytes).to_hex().to_string())
 }
 
 /// How the names of half-written files begin and end. They are hidden and have

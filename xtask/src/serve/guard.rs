@@ -21,9 +21,9 @@ impl Token {
     /// # Errors
     /// It has no randomness.
     pub fn random() -> std::io::Result<Self> {
-        let mut bytes = [0; Self::LETTERS / 2];
+        let mut bytes = [0; 16];
         getrandom::fill(&mut bytes).map_err(std::io::Error::other)?;
-        Ok(Self(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
+        Ok(Self(format!("{:032x}", u128::from_ne_bytes(bytes))))
     }
 
     /// What [`Token`] prints; `None` for anything else.
@@ -58,10 +58,7 @@ impl Guard {
     /// # Errors
     /// Another host than this one, and no or another token.
     pub(super) fn admit<'a>(&self, head: &'a Head) -> Result<&'a str, Refusal> {
-        let is_ours = |host: &str| self.hosts().iter().any(|ours| host.eq_ignore_ascii_case(ours));
-        if !head.one("host")?.is_some_and(is_ours) {
-            return Err(Refusal(403, "expected the address that was printed"));
-        }
+        self.host(head)?;
         let parts = head.path.strip_prefix('/').and_then(|path| path.split_once('/'));
         match parts {
             Some((token, rest)) if self.token.is(token) => Ok(rest),
@@ -75,9 +72,8 @@ impl Guard {
     /// # Errors
     /// Such a request.
     pub(super) fn may_change(&self, head: &Head) -> Result<(), Refusal> {
-        let origin = |host: &str| format!("http://{host}");
-        let ours = head.one("host")?.map(|host| origin(&host.to_ascii_lowercase()));
-        if head.one("origin")? != ours.as_deref() {
+        let origin = format!("http://{}", self.host(head)?);
+        if head.one("origin")? != Some(&origin) {
             return Err(Refusal(403, "expected a request of the page that was served"));
         }
         if head.one("sec-fetch-site")?.is_some_and(|site| site != "same-origin") {
@@ -90,8 +86,13 @@ impl Guard {
         Ok(())
     }
 
-    fn hosts(&self) -> [String; 2] {
-        ["127.0.0.1", "localhost"].map(|host| format!("{host}:{}", self.port))
+    /// The name of ours that the request was sent to.
+    fn host(&self, head: &Head) -> Result<String, Refusal> {
+        let sent = head.one("host")?.unwrap_or_default();
+        let mut ours =
+            ["127.0.0.1", "localhost"].map(|host| format!("{host}:{}", self.port)).into_iter();
+        let host = ours.find(|host| sent.eq_ignore_ascii_case(host));
+        host.ok_or(Refusal(403, "expected the address that was printed"))
     }
 }
 
@@ -151,7 +152,8 @@ mod tests {
             check(&[origin, json, ("Sec-Fetch-Site", site)], Err(403));
         }
         check(&[json], Err(403));
-        for other in ["null", "", "http://127.0.0.1:8000", "https://localhost:8000", "http://localhost"]
+        for other in
+            ["null", "", "http://127.0.0.1:8000", "https://localhost:8000", "http://localhost"]
         {
             check(&[("Origin", other), json], Err(403));
         }

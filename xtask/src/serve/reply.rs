@@ -47,12 +47,10 @@ impl Reply {
     /// Sends it; nothing for events.
     pub(super) fn write(&self, stream: &mut TcpStream) -> std::io::Result<()> {
         let Self::Full { status, kind, body, allow } = self else { return Ok(()) };
-        let mut head = head(*status, kind);
-        head.push_str(&format!("Content-Length: {}\r\n", body.len()));
-        if let Some(allow) = allow {
-            head.push_str(&format!("Allow: {allow}\r\n"));
-        }
-        stream.write_all(format!("{head}\r\n").as_bytes())?;
+        let (head, length) = (head(*status, kind), body.len());
+        let allow = allow.map_or(String::new(), |allow| format!("Allow: {allow}\r\n"));
+        let head = format!("{head}{allow}Content-Length: {length}\r\n\r\n");
+        stream.write_all(head.as_bytes())?;
         stream.write_all(body)
     }
 }
@@ -93,8 +91,7 @@ pub(super) fn close(mut stream: &TcpStream) {
     const PATIENCE: Duration = Duration::from_millis(200);
     const MOST_READS: usize = 64;
     let mut ignored = [0; 8 << 10];
-    if stream.shutdown(Shutdown::Write).is_err()
-        || stream.set_read_timeout(Some(PATIENCE)).is_err()
+    if stream.shutdown(Shutdown::Write).is_err() || stream.set_read_timeout(Some(PATIENCE)).is_err()
     {
         return;
     }

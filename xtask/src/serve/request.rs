@@ -94,7 +94,8 @@ impl Incoming {
             if self.read.len() > MAX_HEAD_BYTES {
                 return Err(Refusal(431, "expected fewer or shorter headers"));
             }
-            self.read_more().map_err(|why| if self.read.is_empty() { Refusal::SILENT } else { why })?;
+            self.read_more()
+                .map_err(|why| if self.read.is_empty() { Refusal::SILENT } else { why })?;
         }
     }
 

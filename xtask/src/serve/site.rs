@@ -54,22 +54,19 @@ impl Site {
         Ok(Self { page, review: Mutex::new(review), tabs: Tabs::default() })
     }
 
-    /// Shows another page with another review, which `follow` makes of the one
-    /// there is, and tells the tabs to load it.
+    /// Shows another page with another review, which takes over what was decided,
+    /// and tells the tabs to load it.
     ///
     /// # Errors
     /// The system has no randomness.
-    pub fn replace(
-        &self,
-        page: String,
-        follow: impl FnOnce(&Review) -> Review,
-    ) -> std::io::Result<()> {
-        let mut review = self.review();
-        *review = follow(&review);
+    pub fn replace(&self, page: String, mut review: Review) -> std::io::Result<()> {
         let page = Page::new(page)?;
         let reload = event("reload", &page.edition, "");
-        let mut shown = lock(&self.page);
-        *shown = Page { sent: shown.sent.clone(), ..page };
+        let mut shown = self.review();
+        review.inherit(&shown);
+        *shown = review;
+        let mut before = lock(&self.page);
+        *before = Page { sent: before.sent.clone(), ..page };
         self.tabs.tell(&reload);
         Ok(())
     }
@@ -113,7 +110,8 @@ impl Site {
 
     fn send_page(&self) -> Arc<[u8]> {
         let mut page = lock(&self.page);
-        page.sent = page.edition.clone();
+        let edition = page.edition.clone();
+        page.sent = edition;
         self.tabs.expect();
         Arc::clone(&page.html)
     }
@@ -149,7 +147,9 @@ impl Site {
         };
         // A stream that breaks off is opened again by the browser, so soon that
         // its tab is not taken for closed.
-        stream.write_all(format!("{}\r\nretry: 500\n\n", head(200, "text/event-stream")).as_bytes())?;
+        stream.write_all(
+            format!("{}\r\nretry: 500\n\n", head(200, "text/event-stream")).as_bytes(),
+        )?;
         if is_old {
             stream.write_all(event("reload", &edition, "").as_bytes())?;
         }
@@ -213,11 +213,17 @@ mod tests {
         #[track_caller]
         fn check(body: &str, expected: Option<&[&str]>) {
             let found = names(body.as_bytes()).ok();
-            assert_eq!(found.as_deref(), expected.map(|e| e.iter().map(|s| (*s).to_owned()).collect::<Vec<_>>()).as_deref(), "{body}");
+            assert_eq!(
+                found.as_deref(),
+                expected.map(|e| e.iter().map(|s| (*s).to_owned()).collect::<Vec<_>>()).as_deref(),
+                "{body}"
+            );
         }
         check(r#"{"names":["a/b","c"]}"#, Some(&["a/b", "c"]));
         check(r#"{"names":[]}"#, Some(&[]));
-        for body in ["", "a", "[]", "{}", r#"{"names":"a"}"#, r#"{"names":[1]}"#, r#"{"names":[],"x":1}"#] {
+        for body in
+            ["", "a", "[]", "{}", r#"{"names":"a"}"#, r#"{"names":[1]}"#, r#"{"names":[],"x":1}"#]
+        {
             check(body, None);
         }
         assert!(names(b"\xff").is_err());

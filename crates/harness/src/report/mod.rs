@@ -6,4 +6,6 @@ mod text;
 
 pub(crate) use json::{blamed, distances};
 pub use json::{comparison_json, metrics_json, run_json};
-pub use text::{Reader, Summary, comparison_lines, numbers, outcome_line, summarize};
+pub use text::{
+    Reader, Summary, comparison_lines, numbers, outcome_line, outcome_parts, summarize,
+};

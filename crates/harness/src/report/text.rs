@@ -50,11 +50,22 @@ pub struct Reader {
 /// );
 /// ```
 pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
-    let Outcome { name, verdict, findings, comparison, blamed, strip, .. } = outcome;
-    let head = format!("{:<19} {name}", verdict.words());
-    if *verdict == Verdict::RenderRefused {
-        let details = findings.iter().flat_map(|f| f.lines()).map(|line| format!("    {line}\n"));
+    let head = format!("{:<19} {}", outcome.verdict.words(), outcome.name);
+    let parts = outcome_parts(outcome, reader);
+    if outcome.verdict == Verdict::RenderRefused {
+        let details = parts.iter().map(|line| format!("    {line}\n"));
         return format!("{head}\n{}", details.collect::<String>()).trim_end().to_owned();
+    }
+    if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
+}
+
+/// What [`outcome_line`] says after the name, each part for itself: findings,
+/// numbers, what it lies on, where to look, what to do. Of a fixture with
+/// problems, the lines that say them.
+pub fn outcome_parts(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    let Outcome { name, verdict, findings, comparison, blamed, strip, .. } = outcome;
+    if *verdict == Verdict::RenderRefused {
+        return findings.iter().flat_map(|f| f.lines()).map(str::to_owned).collect();
     }
     let mut parts = Vec::new();
     if !findings.is_empty() {
@@ -81,7 +92,7 @@ pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
     } else if outcome.breaks_its_word() {
         parts.push("mend the scene, the tracer, or what the fixture expects".to_owned());
     }
-    if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
+    parts
 }
 
 /// Of findings, and of objects that are blamed.
