@@ -22,8 +22,9 @@ pub struct Evidence {
     /// the same.
     pub maps: Option<Maps>,
     /// The picture's linear values: red, green and blue of each pixel, row by row
-    /// from the top, as little-endian `f32`, compressed as zlib does.
-    pub linear: Vec<u8>,
+    /// from the top, as little-endian `f32`, compressed as zlib does; `None` for
+    /// pictures of more than [`Evidence::MAX_LINEAR_PIXELS`].
+    pub linear: Option<Vec<u8>>,
     /// Which object each pixel shows.
     pub objects: ObjectMap,
 }
@@ -49,6 +50,10 @@ pub struct ObjectMap {
 }
 
 impl Evidence {
+    /// The most pixels whose linear values are kept, a million: they take twelve
+    /// bytes each and compress badly.
+    pub const MAX_LINEAR_PIXELS: usize = 1 << 20;
+
     /// What there is to see of today's picture, beside a golden if there is one.
     ///
     /// # Errors
@@ -60,10 +65,11 @@ impl Evidence {
     ) -> Result<Self, String> {
         let pair = golden.and_then(|golden| Pair::new(golden, &picture.encoded));
         let maps = pair.filter(|pair| !pair.is_identical()).map(|pair| maps(&pair)).transpose()?;
+        let is_small = picture.linear.pixels().len() <= Self::MAX_LINEAR_PIXELS;
         Ok(Self {
             actual: golden::page_png(&picture.encoded)?,
             maps,
-            linear: zlib(linear_bytes(&picture.linear)),
+            linear: is_small.then(|| zlib(linear_bytes(&picture.linear))),
             objects: object_map(fixture),
         })
     }

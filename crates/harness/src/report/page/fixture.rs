@@ -90,7 +90,7 @@ fn limits(file: &File, outcome: &Outcome) -> Value {
 fn evidence_json(evidence: Option<&Evidence>, has_linear: bool) -> Map<String, Value> {
     let maps = evidence.and_then(|evidence| evidence.maps.as_ref());
     let base64 = |bytes: &Vec<u8>| BASE64.encode(bytes);
-    let linear = evidence.filter(|_| has_linear).map(|evidence| base64(&evidence.linear));
+    let linear = evidence.filter(|_| has_linear).and_then(|e| e.linear.as_ref()).map(base64);
     let values = [
         ("actual", json!(evidence.map(|evidence| base64(&evidence.actual)))),
         ("ssim", json!(maps.map(|maps| base64(&maps.ssim)))),

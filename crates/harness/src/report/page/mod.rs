@@ -59,7 +59,8 @@ pub fn html(
     let has_linear: Vec<_> = outcomes
         .iter()
         .map(|outcome| {
-            let bytes = outcome.evidence.as_ref().map_or(0, |evidence| evidence.linear.len());
+            let linear = outcome.evidence.as_ref().and_then(|evidence| evidence.linear.as_ref());
+            let bytes = linear.map_or(0, Vec::len);
             let fits = bytes <= left;
             left -= if fits { bytes } else { 0 };
             fits
