@@ -259,6 +259,11 @@ fn the_page_is_kept_from_others() {
         }
         assert!(!page.head.contains("Access-Control"), "{}", page.head);
     }
+    let (_, nonce) = page.head.split_once("script-src 'nonce-").unwrap();
+    let nonce = nonce.split('\'').next().unwrap();
+    let script = format!("<script nonce=\"{nonce}\">");
+    assert_eq!(page.body.matches(&script).count(), 1, "its script runs");
+    assert!(!page.body.contains("<script>") && !page.head.contains("script-src 'unsafe"));
     let (a, b) = (served.token.clone(), review(&tree).token.clone());
     assert!(a.len() == 32 && a != b, "another token each time");
 }

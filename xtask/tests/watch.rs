@@ -307,6 +307,7 @@ fn ctrl_c_in_the_middle_of_a_check_leaves_nothing_half_written() {
     let fixtures: Vec<_> = fixtures.iter().map(|name| (name.as_str(), SQUARE)).collect();
     let tree = Tree::new(&fixtures);
     for pause in [0, 100, 300, 600] {
+        let _ = fs::remove_dir_all(tree.path("target"));
         let watch = Printing::start(&mut tree.command(&["watch", "--no-serve"]));
         let artifacts = tree.path("target/goldray");
         while !artifacts.is_dir() {
@@ -318,4 +319,33 @@ fn ctrl_c_in_the_middle_of_a_check_leaves_nothing_half_written() {
         let half: Vec<_> = names.filter(|name| name.to_string_lossy().ends_with(".tmp")).collect();
         assert!(half.is_empty(), "after {pause} ms: {half:?}");
     }
+}
+
+#[test]
+fn every_crate_that_the_program_is_built_from_is_watched() {
+    use std::collections::{BTreeMap, BTreeSet};
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let lock = fs::read_to_string(root.join("Cargo.lock")).unwrap();
+    // Of the crates here, as those from elsewhere have a source.
+    let ours: BTreeMap<_, Vec<_>> = lock
+        .split("[[package]]")
+        .filter(|package| !package.contains("\nsource = "))
+        .filter_map(|package| {
+            let mut words = package.split('"').skip(1).step_by(2);
+            Some((words.next()?, words.skip(1).collect()))
+        })
+        .collect();
+    let (mut built, mut left) = (BTreeSet::new(), vec!["xtask"]);
+    while let Some(name) = left.pop() {
+        if let (Some(needs), true) = (ours.get(name), built.insert(name)) {
+            left.extend(needs);
+        }
+    }
+    built.retain(|name| ours.contains_key(name));
+    let folders = harness::stamps::Stamps::SOURCES.map(|place| root.join(place));
+    let folders = folders.iter().filter(|place| place.join("Cargo.toml").is_file());
+    let watched: BTreeSet<_> =
+        folders.map(|place| place.file_name().unwrap().to_str().unwrap()).collect();
+    assert_eq!(watched, built);
+    assert!(built.contains("tracer"));
 }

@@ -16,6 +16,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
+use std::time::Duration;
 
 pub use guard::Token;
 pub use site::Site;
@@ -66,7 +67,13 @@ pub fn serve(site: &Arc<Site>, before: Option<Address>) -> std::io::Result<Addre
 
 fn accept(listener: &TcpListener, site: &Arc<Site>, guard: &Arc<Guard>) {
     let open = Arc::new(AtomicUsize::new(0));
-    for stream in listener.incoming().filter_map(Result::ok) {
+    /// How long nothing is accepted when the system has no more connections.
+    const PAUSE: Duration = Duration::from_millis(50);
+    for stream in listener.incoming() {
+        let Ok(stream) = stream else {
+            thread::sleep(PAUSE);
+            continue;
+        };
         let one = Open::count(&open);
         if open.load(Ordering::SeqCst) > MAX_CONNECTIONS {
             continue;

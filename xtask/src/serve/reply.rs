@@ -13,43 +13,44 @@ use super::request::Refusal;
 #[derive(Debug)]
 pub(super) enum Reply {
     /// All at once.
-    Full { status: u16, kind: &'static str, body: Arc<[u8]>, allow: Option<&'static str> },
+    Full { status: u16, kind: &'static str, body: Arc<[u8]>, more: String },
     /// Events as they come, to who has seen this one last.
     Events { seen: Option<String> },
 }
 
-/// The page may use what is in it and ask the server it came from: nothing else
-/// of this machine or of the web, and no other page may show it. Its script and
-/// style are in the page, and everything from outside in it is data.
-const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; \
-                      img-src data: blob:; connect-src 'self'; base-uri 'none'; \
-                      form-action 'none'; frame-ancestors 'none'";
+/// The page may run its own script and ask the server that it came from: nothing
+/// else of this machine or of the web, and no other page may show it. What
+/// fixtures say in it is data, even if it looks like a script.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; \
+                      connect-src 'self' data:; base-uri 'none'; form-action 'none'; \
+                      frame-ancestors 'none'";
 
 impl Reply {
-    /// A page.
-    pub(super) fn html(body: Arc<[u8]>) -> Self {
-        Self::Full { status: 200, kind: "text/html; charset=utf-8", body, allow: None }
+    /// A page, of whose scripts that with this nonce is run.
+    pub(super) fn html(body: Arc<[u8]>, nonce: &str) -> Self {
+        let more = policy(&format!("script-src 'nonce-{nonce}'; {POLICY}"));
+        Self::Full { status: 200, kind: "text/html; charset=utf-8", body, more }
     }
 
     /// A document.
     pub(super) fn json(status: u16, value: &Value) -> Self {
         let body = value.to_string().into_bytes().into();
-        Self::Full { status, kind: "application/json", body, allow: None }
+        Self::Full { status, kind: "application/json", body, more: policy(POLICY) }
     }
 
     /// Another method than the one that is allowed.
     pub(super) fn not_allowed(allow: &'static str) -> Self {
-        let body = json!({ "schema": 1, "error": "expected another method" });
+        let body = json!({ "schema": 1, "error": format!("expected the method {allow}") });
         let body = body.to_string().into_bytes().into();
-        Self::Full { status: 405, kind: "application/json", body, allow: Some(allow) }
+        let more = format!("{}Allow: {allow}\r\n", policy(POLICY));
+        Self::Full { status: 405, kind: "application/json", body, more }
     }
 
     /// Sends it; nothing for events.
     pub(super) fn write(&self, stream: &mut TcpStream) -> std::io::Result<()> {
-        let Self::Full { status, kind, body, allow } = self else { return Ok(()) };
+        let Self::Full { status, kind, body, more } = self else { return Ok(()) };
         let (head, length) = (head(*status, kind), body.len());
-        let allow = allow.map_or(String::new(), |allow| format!("Allow: {allow}\r\n"));
-        let head = format!("{head}{allow}Content-Length: {length}\r\n\r\n");
+        let head = format!("{head}{more}Content-Length: {length}\r\n\r\n");
         stream.write_all(head.as_bytes())?;
         stream.write_all(body)
     }
@@ -59,6 +60,10 @@ impl From<Refusal> for Reply {
     fn from(Refusal(status, why): Refusal) -> Self {
         Self::json(status, &json!({ "schema": 1, "error": why }))
     }
+}
+
+fn policy(policy: &str) -> String {
+    format!("Content-Security-Policy: {policy}\r\n")
 }
 
 /// The beginning of an answer, without the empty line at its end.
@@ -73,7 +78,6 @@ pub(super) fn head(status: u16, kind: &str) -> String {
     format!(
         "HTTP/1.1 {status} {words}\r\n\
          Content-Type: {kind}\r\n\
-         Content-Security-Policy: {POLICY}\r\n\
          X-Content-Type-Options: nosniff\r\n\
          X-Frame-Options: DENY\r\n\
          Referrer-Policy: no-referrer\r\n\

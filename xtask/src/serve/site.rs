@@ -33,6 +33,8 @@ pub struct Site {
 #[derive(Debug)]
 struct Page {
     html: Arc<[u8]>,
+    /// What its script is known by, among all that fixtures may have put there.
+    nonce: String,
     /// Tells this page from any other, of another process too.
     edition: String,
     /// The edition that was sent last.
@@ -40,16 +42,21 @@ struct Page {
 }
 
 impl Page {
-    fn new(html: String) -> std::io::Result<Self> {
-        let edition = Token::random()?.to_string();
-        Ok(Self { html: html.into_bytes().into(), edition, sent: String::new() })
+    fn new(html: &str) -> std::io::Result<Self> {
+        let (nonce, edition) = (Token::random()?.to_string(), Token::random()?.to_string());
+        // The first one of this form: before it there is only data, in which every
+        // `<` is written otherwise.
+        let html = html.replacen("<script>", &format!("<script nonce=\"{nonce}\">"), 1);
+        Ok(Self { html: html.into_bytes().into(), nonce, edition, sent: String::new() })
     }
 }
 
 impl Site {
+    /// A page with the review that it shows.
+    ///
     /// # Errors
     /// The system has no randomness.
-    pub fn new(page: String, review: Review) -> std::io::Result<Self> {
+    pub fn new(page: &str, review: Review) -> std::io::Result<Self> {
         let page = Mutex::new(Page::new(page)?);
         Ok(Self { page, review: Mutex::new(review), tabs: Tabs::default() })
     }
@@ -59,7 +66,7 @@ impl Site {
     ///
     /// # Errors
     /// The system has no randomness.
-    pub fn replace(&self, page: String, mut review: Review) -> std::io::Result<()> {
+    pub fn replace(&self, page: &str, mut review: Review) -> std::io::Result<()> {
         let page = Page::new(page)?;
         let reload = event("reload", &page.edition, "");
         let mut shown = self.review();
@@ -97,7 +104,7 @@ impl Site {
             return Ok(Reply::not_allowed(allowed));
         }
         Ok(match path {
-            "" => Reply::html(self.send_page()),
+            "" => self.page(),
             "events" => Reply::Events { seen: head.one("last-event-id")?.map(str::to_owned) },
             "api/state" => Reply::json(200, &self.review().to_json(&[])),
             _ => {
@@ -108,12 +115,12 @@ impl Site {
         })
     }
 
-    fn send_page(&self) -> Arc<[u8]> {
+    fn page(&self) -> Reply {
         let mut page = lock(&self.page);
         let edition = page.edition.clone();
         page.sent = edition;
         self.tabs.expect();
-        Arc::clone(&page.html)
+        Reply::html(Arc::clone(&page.html), &page.nonce)
     }
 
     fn decide(&self, path: &str, names: &[String]) -> Value {

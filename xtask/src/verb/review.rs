@@ -54,7 +54,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return Ok(say(here, &suite, &review));
     }
     let interrupt = Interrupt::listen()?;
-    let site = Arc::new(Site::new(page, review)?);
+    let site = Arc::new(Site::new(&page, review)?);
     let url = serve(&site, None)?.url();
     println!("review at {url} until its last tab is closed, or Ctrl-C");
     std::io::stdout().flush()?;

@@ -134,6 +134,8 @@ impl Watch<'_> {
         if let (Some(root), false) = (self.sources.clone(), edited.is_empty()) {
             println!("\n{}: building", self.say_paths(&edited));
             match build(&root, &self.interrupt)? {
+                // Built of something in between, and to be built again at once.
+                Built::Program(_) if Stamps::of_sources(&root) != found.sources => {}
                 Built::Program(program) if store::file_hash(&program)? != self.program => {
                     return Err(become_program(&program, &self.resumed()));
                 }
@@ -199,7 +201,7 @@ impl Watch<'_> {
                 // What was edited meanwhile is checked in a moment; until then,
                 // nothing is accepted that is not shown.
                 if !self.args.no_serve && Stamps::of_suite(&self.suite) == before {
-                    self.show(page, review)?;
+                    self.show(&page, review)?;
                 }
             }
             Ok(Err(CannotAsk(why))) => println!("error: {}", why.trim_end()),
@@ -217,7 +219,7 @@ impl Watch<'_> {
         Ok((looked, page, review))
     }
 
-    fn show(&mut self, page: String, review: Review) -> Result<(), CannotAsk> {
+    fn show(&mut self, page: &str, review: Review) -> Result<(), CannotAsk> {
         if let Some((site, _)) = &self.served {
             return Ok(site.replace(page, review)?);
         }
