@@ -55,10 +55,16 @@ impl Looked {
 
     /// Prints a line for each that is no match, and the summary.
     pub fn say(&self, reader: &Reader) {
-        let Rechecked { outcomes, unkept } = &self.rechecked;
-        for outcome in outcomes.iter().filter(|outcome| outcome.verdict != Verdict::Match) {
+        let failing = self.outcomes().iter().filter(|outcome| outcome.verdict != Verdict::Match);
+        for outcome in failing {
             println!("{}", outcome_line(outcome, reader));
         }
+        self.say_summary();
+    }
+
+    /// Prints how many there are of each verdict.
+    pub fn say_summary(&self) {
+        let Rechecked { outcomes, unkept } = &self.rechecked;
         say_audited(outcomes);
         let summary = summarize(outcomes);
         if summary.belied > 0 && unkept.is_none() {

@@ -32,6 +32,7 @@ Examples:
   cargo xtask check                   judge every fixture
   cargo xtask check sphere            those with \"sphere\" in their name
   cargo xtask check 'box/from-*'      those that match the pattern
+  cargo xtask review                  look at what does not match, and accept or reject it
   cargo xtask bless sphere/tangent    accept today's picture of one fixture";
 
 #[derive(Debug, Subcommand)]

@@ -7,7 +7,8 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use harness::store::Scratch;
+use harness::store::{self, Scratch};
+use harness::suite::Suite;
 use serde_json::Value;
 
 use crate::CannotAsk;
@@ -22,6 +23,15 @@ pub enum Built {
     Failed,
     /// It was time to end, and nothing of it is left running.
     Interrupted,
+}
+
+/// The repository whose program this suite is judged by, if it is there to be
+/// edited. Elsewhere than on Unix a program that runs cannot be built again.
+pub fn repository(suite: &Suite) -> Option<PathBuf> {
+    let is_repository = ["Cargo.toml", "xtask/Cargo.toml", "crates/tracer/Cargo.toml"]
+        .iter()
+        .all(|file| store::is_file(&suite.root().join(file)));
+    (cfg!(unix) && is_repository).then(|| suite.root().to_owned())
 }
 
 /// Builds this program from the repository at `root`, as its alias does.

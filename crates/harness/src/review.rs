@@ -5,13 +5,12 @@
 //! that what is accepted is what was shown. Nothing is lost by it: an acceptance
 //! can be taken back for as long as its golden is what it wrote.
 
+mod json;
 mod tally;
 #[cfg(test)]
 mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
-
-use serde_json::{Value, json};
 
 pub use tally::Tally;
 
@@ -187,22 +186,6 @@ impl Review {
     /// nobody else has changed it.
     pub fn wrote(&self, name: &str) -> bool {
         self.written.get(name).is_some_and(|hash| self.golden_hash(name).as_ref() == Ok(hash))
-    }
-
-    /// `{"schema":1,"decisions":{name:"accepted"|"rejected"},"can_accept":[name],
-    /// "messages":[sentence]}`.
-    pub fn to_json(&self, messages: &[String]) -> Value {
-        let word = |name: &String| match self.decision(name)? {
-            Decision::Accepted => Some((name.clone(), json!("accepted"))),
-            Decision::Rejected => Some((name.clone(), json!("rejected"))),
-        };
-        let can_accept: Vec<_> = self.steps.keys().filter(|name| self.can_accept(name)).collect();
-        json!({
-            "schema": 1,
-            "decisions": Value::Object(self.decided.keys().filter_map(word).collect()),
-            "can_accept": can_accept,
-            "messages": messages,
-        })
     }
 
     /// What would be written for this name; `None` where it has been.

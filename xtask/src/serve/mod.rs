@@ -66,9 +66,9 @@ pub fn serve(site: &Arc<Site>, before: Option<Address>) -> std::io::Result<Addre
 }
 
 fn accept(listener: &TcpListener, site: &Arc<Site>, guard: &Arc<Guard>) {
-    let open = Arc::new(AtomicUsize::new(0));
     /// How long nothing is accepted when the system has no more connections.
     const PAUSE: Duration = Duration::from_millis(50);
+    let open = Arc::new(AtomicUsize::new(0));
     for stream in listener.incoming() {
         let Ok(stream) = stream else {
             thread::sleep(PAUSE);

@@ -12,26 +12,20 @@ pub(super) enum Ink {
     Letters,
 }
 
-/// What is drawn.
+/// What is drawn, under its name.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Panel<'a> {
-    /// A picture.
-    Picture(&'a EncodedImage),
-    /// Differences in the colors of [`HEAT`] over a dim gray picture.
-    Difference(&'a EncodedImage),
+pub(super) struct Panel<'a> {
+    pub(super) name: &'static str,
+    pub(super) picture: &'a EncodedImage,
+    /// Whether it is differences in the colors of [`HEAT`] over a dim gray
+    /// picture.
+    pub(super) is_difference: bool,
 }
 
 impl Panel<'_> {
-    fn picture(&self) -> &EncodedImage {
-        match self {
-            Self::Picture(picture) | Self::Difference(picture) => picture,
-        }
-    }
-
     /// How large a difference this is the color of; `None` for anything else.
     fn step(&self, pixel: [u8; 3]) -> Option<usize> {
-        let is_difference = matches!(self, Self::Difference(_));
-        HEAT.iter().position(|heat| is_difference && *heat == pixel)
+        HEAT.iter().position(|heat| self.is_difference && *heat == pixel)
     }
 }
 
@@ -44,15 +38,15 @@ const GAP: usize = 1;
 /// Small pictures are enlarged, but to no more than so many columns.
 const LARGE: usize = 48;
 
-/// The pictures from left to right, in at most so many columns and rows; each
-/// keeps its proportions, and they are scaled alike.
+/// The pictures from left to right, in at most so many columns and rows, under
+/// their names; each keeps its proportions, and they are scaled alike.
 pub(super) fn side_by_side(
     panels: &[Panel<'_>],
     columns: usize,
     rows: usize,
     ink: Ink,
 ) -> Vec<String> {
-    let sizes = || panels.iter().map(|panel| panel.picture().size());
+    let sizes = || panels.iter().map(|panel| panel.picture.size());
     let Some(widest) = sizes().map(|size| size.width).max() else { return Vec::new() };
     let tallest = sizes().map(|size| size.height).max().unwrap_or(1);
     let count = panels.len();
@@ -62,17 +56,18 @@ pub(super) fn side_by_side(
         .min(2.0 * rows.max(1) as f64 / f64::from(tallest));
     let side = |pixels: u32| ((f64::from(pixels) * scale).round() as usize).max(1);
     let scale = |panel: &Panel<'_>| {
-        let size = panel.picture().size();
+        let size = panel.picture.size();
         Scaled::new(panel, side(size.width), side(size.height))
     };
     let scaled: Vec<_> = panels.iter().map(scale).collect();
-    let lines = scaled.iter().map(|picture| picture.height.div_ceil(2)).max().unwrap_or(0);
-    let gap = " ".repeat(GAP);
-    let line = |row| {
-        let parts = scaled.iter().map(|picture| picture.line(row, ink));
-        parts.collect::<Vec<_>>().join(&gap).trim_end().to_owned()
-    };
-    (0..lines).map(line).collect()
+    let rows = scaled.iter().map(|picture| picture.height.div_ceil(2)).max().unwrap_or(0);
+    let join = |parts: Vec<String>| parts.join(&" ".repeat(GAP)).trim_end().to_owned();
+    let name =
+        |(panel, picture): (&Panel<'_>, &Scaled)| format!("{:1$.1$}", panel.name, picture.width);
+    let mut lines = vec![join(panels.iter().zip(&scaled).map(name).collect())];
+    let line = |row| join(scaled.iter().map(|picture| picture.line(row, ink)).collect());
+    lines.extend((0..rows).map(line));
+    lines
 }
 
 /// A picture in another size.
@@ -87,7 +82,7 @@ type Cell = ([u8; 3], Option<usize>);
 
 impl Scaled {
     fn new(panel: &Panel<'_>, width: usize, height: usize) -> Self {
-        let size = panel.picture().size();
+        let size = panel.picture.size();
         // At least one pixel: that of the near corner where it is enlarged.
         let range = |at: usize, to: usize, from: u32| {
             let start = at * from as usize / to;
@@ -97,7 +92,7 @@ impl Scaled {
             let columns = range(x, width, size.width);
             let all = range(y, height, size.height)
                 .flat_map(|row| columns.clone().map(move |column| (column, row)))
-                .filter_map(|(column, row)| panel.picture().get(column, row));
+                .filter_map(|(column, row)| panel.picture.get(column, row));
             one(panel, all)
         };
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
@@ -170,17 +165,21 @@ mod tests {
         EncodedImage::from_bytes(size, bytes.iter().flat_map(|&v| [v; 3]).collect()).unwrap()
     }
 
+    fn panel(picture: &EncodedImage) -> Panel<'_> {
+        Panel { name: "name", picture, is_difference: false }
+    }
+
     #[test]
     fn a_picture_is_letters_from_dark_to_light() {
         let ramp = picture(&[0, 128, 255, 0, 128, 255], 3);
-        let lines = side_by_side(&[Panel::Picture(&ramp)], 3, 9, Ink::Letters);
-        assert_eq!(lines, [" =@"]);
-        let twice = [Panel::Picture(&ramp), Panel::Picture(&ramp)];
-        assert_eq!(side_by_side(&twice, 7, 9, Ink::Letters), [" =@  =@"]);
+        let lines = side_by_side(&[panel(&ramp)], 3, 9, Ink::Letters);
+        assert_eq!(lines, ["nam", " =@"]);
+        let twice = [panel(&ramp), panel(&ramp)];
+        assert_eq!(side_by_side(&twice, 7, 9, Ink::Letters), ["nam nam", " =@  =@"]);
         let color = HEAT[0];
         let violet = EncodedImage::from_fn(ramp.size(), |_, _| color);
-        let lines = side_by_side(&[Panel::Picture(&violet)], 3, 9, Ink::Letters);
-        assert_eq!(lines, [":::"], "a color of differences is none in a picture");
+        let lines = side_by_side(&[panel(&violet)], 3, 9, Ink::Letters);
+        assert_eq!(lines[1], ":::", "a color of differences is none in a picture");
     }
 
     #[test]
@@ -189,9 +188,9 @@ mod tests {
         let mut bytes = [90; 1600];
         (bytes[0], bytes[1599]) = (91, 218);
         let marked = difference(&golden, &picture(&bytes, 40)).unwrap();
-        let lines = side_by_side(&[Panel::Difference(&marked)], 4, 9, Ink::Letters);
-        assert_eq!(lines, ["1", "   8"]);
-        let colors = side_by_side(&[Panel::Difference(&marked)], 4, 9, Ink::Colors).concat();
+        let marked = [Panel { is_difference: true, ..panel(&marked) }];
+        assert_eq!(side_by_side(&marked, 4, 9, Ink::Letters), ["name", "1", "   8"]);
+        let colors = side_by_side(&marked, 4, 9, Ink::Colors).concat();
         for step in [0, 7] {
             let [r, g, b] = HEAT[step];
             assert!(colors.contains(&format!("2;{r};{g};{b}m")), "{colors:?}");
@@ -202,12 +201,12 @@ mod tests {
     fn it_fits() {
         let (small, odd) = (picture(&[255], 1), picture(&[255; 70], 7));
         for (columns, rows) in [(0, 0), (1, 1), (5, 3), (40, 9), (200, 60)] {
-            let all = [Panel::Picture(&small), Panel::Difference(&odd), Panel::Picture(&odd)];
+            let all = [panel(&small), panel(&odd), panel(&odd)];
             let lines = side_by_side(&all, columns, rows, Ink::Letters);
             let widest = lines.iter().map(|line| line.chars().count()).max();
             // Each picture has a pixel, whatever happens.
             assert!(widest <= Some(columns.max(5)), "{columns}: {lines:?}");
-            assert!(lines.len() <= rows.max(1), "{rows}: {lines:?}");
+            assert!(lines.len() <= 1 + rows.max(1), "{rows}: {lines:?}");
         }
         assert!(side_by_side(&[], 40, 9, Ink::Colors).is_empty());
     }

@@ -92,7 +92,7 @@ struct Screen {
 
 impl Screen {
     /// Rows that are kept for words.
-    const WORDS: usize = 10;
+    const WORDS: usize = 11;
 
     /// The terminal's, or what `COLUMNS` says where there is none.
     fn here() -> Self {
@@ -125,7 +125,9 @@ impl Screen {
         for part in outcome_parts(outcome, reader) {
             lines.extend(wrap(&part, self.columns));
         }
-        if let Some(why) = review.why_not(name) {
+        if outcome.breaks_its_word() {
+            lines.push("cannot be accepted".to_owned());
+        } else if let Some(why) = review.why_not(name) {
             lines.extend(wrap(&format!("cannot be accepted: {why}"), self.columns));
         }
         lines.extend(wrap(HELP, self.columns));
@@ -139,10 +141,11 @@ impl Screen {
         let actual = outcome.evidence.as_ref().and_then(|e| from_png(&e.actual).ok());
         let actual = actual.map(|file| file.picture);
         let difference = golden.zip(actual.as_ref()).and_then(|(g, a)| difference(g, a));
+        let panel = |name, is_difference| move |picture| Panel { name, picture, is_difference };
         let all = [
-            golden.map(Panel::Picture),
-            difference.as_ref().map(Panel::Difference),
-            actual.as_ref().map(Panel::Picture),
+            golden.map(panel("golden", false)),
+            difference.as_ref().map(panel("difference", true)),
+            actual.as_ref().map(panel("actual", false)),
         ];
         let all: Vec<_> = all.into_iter().flatten().collect();
         let rows = self.rows.saturating_sub(Self::WORDS).max(Self::WORDS);

@@ -44,7 +44,12 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;
     let reader = here.reader(&suite);
     let Shown { looked, mut review, page } = show(&suite, args, &reader)?;
-    looked.say(&reader);
+    // In the terminal, each is shown in its turn.
+    if args.tty {
+        looked.say_summary();
+    } else {
+        looked.say(&reader);
+    }
     if looked.is_green() {
         println!("there is nothing to review");
         return Ok(Answer::Yes);

@@ -15,7 +15,7 @@ use harness::suite::Suite;
 use super::bless::by_hand;
 use xtask::interrupt::{Interrupt, end_at_once};
 use xtask::look::{Looked, look};
-use xtask::rebuild::{self, Built, become_program, build};
+use xtask::rebuild::{self, Built, become_program, build, repository};
 use xtask::serve::{Address, Site, Token, serve};
 use xtask::{Answer, CannotAsk, Here};
 
@@ -46,7 +46,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     suite.select(&args.filters)?;
     let mut watch = Watch {
         reader: here.reader(&suite),
-        sources: sources(&suite),
+        sources: repository(&suite),
         // Before anything is looked at, so that a start that fails says so.
         program: store::program_hash()?,
         interrupt: Interrupt::listen()?,
@@ -56,15 +56,6 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         args,
     };
     watch.until_interrupted()
-}
-
-/// The repository whose program this suite is judged by, if it is there to be
-/// edited. Elsewhere than on Unix a program that runs cannot be built again.
-fn sources(suite: &Suite) -> Option<PathBuf> {
-    let is_repository = ["Cargo.toml", "xtask/Cargo.toml", "crates/tracer/Cargo.toml"]
-        .iter()
-        .all(|file| store::is_file(&suite.root().join(file)));
-    (cfg!(unix) && is_repository).then(|| suite.root().to_owned())
 }
 
 /// What is watched, and what was said of it last.

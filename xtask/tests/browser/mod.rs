@@ -1,20 +1,21 @@
-//! `Served`: a verb that serves a page, and what a browser and others would ask
-//! of it, byte by byte.
+//! `Served` and `Printing`: a verb that goes on, and what a browser and others
+//! ask of it, byte by byte.
 // Each file of tests is a program of its own, and none uses all of this.
-#![allow(dead_code, unreachable_pub)]
+#![allow(dead_code, unreachable_pub, clippy::panic)]
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
 /// How long anything may take before a test fails: far more than it does, as
 /// other tests run beside it.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
+pub(crate) const PATIENCE: Duration = Duration::from_mins(1);
 
 /// A program that serves.
 pub(crate) struct Served {
@@ -57,7 +58,7 @@ impl Served {
         let (_, address) = line.split_once("http://127.0.0.1:").unwrap();
         let (port, token) = address.split_once('/').unwrap();
         self.port = port.parse().unwrap();
-        self.token = token.split('/').next().unwrap().to_owned();
+        token.split('/').next().unwrap().clone_into(&mut self.token);
     }
 
     /// Reads on until a line with this.
@@ -174,13 +175,73 @@ impl Served {
     /// Presses Ctrl-C.
     #[cfg(unix)]
     pub(crate) fn interrupt(&self) {
-        use nix::sys::signal::{Signal, kill};
-        let pid = nix::unistd::Pid::from_raw(self.child.id().try_into().unwrap());
-        kill(pid, Signal::SIGINT).unwrap();
+        interrupt(&self.child);
     }
 }
 
 impl Drop for Served {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+#[cfg(unix)]
+fn interrupt(child: &Child) {
+    use nix::sys::signal::{Signal, kill};
+    let pid = nix::unistd::Pid::from_raw(child.id().try_into().unwrap());
+    kill(pid, Signal::SIGINT).unwrap();
+}
+
+/// A watch that only prints, line by line.
+pub(crate) struct Printing {
+    child: Child,
+    lines: Receiver<String>,
+}
+
+impl Printing {
+    pub(crate) fn start(command: &mut Command) -> Self {
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let stdout = BufReader::new(child.stdout.take().unwrap());
+        let (sender, lines) = channel();
+        std::thread::spawn(move || {
+            stdout.lines().map_while(Result::ok).try_for_each(|line| sender.send(line))
+        });
+        Self { child, lines }
+    }
+
+    /// Reads on until a line with this; what was read before it.
+    #[track_caller]
+    pub(crate) fn until(&self, text: &str) -> String {
+        let mut all = String::new();
+        loop {
+            let Ok(line) = self.lines.recv_timeout(PATIENCE) else {
+                panic!("expected {text:?} in:\n{all}");
+            };
+            all += &line;
+            all.push('\n');
+            if line.contains(text) {
+                return all;
+            }
+        }
+    }
+
+    /// That it has nothing to say for a while in which it looks several times.
+    #[track_caller]
+    pub(crate) fn expect_silence(&self) {
+        let said = self.lines.recv_timeout(Duration::from_millis(1500));
+        assert!(said.is_err(), "{said:?}");
+    }
+
+    /// Presses Ctrl-C, and waits for its end; the exit code.
+    #[cfg(unix)]
+    pub(crate) fn interrupt(mut self) -> Option<i32> {
+        interrupt(&self.child);
+        self.child.wait().unwrap().code()
+    }
+}
+
+impl Drop for Printing {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
