@@ -6,7 +6,7 @@ mod browser;
 mod tree;
 
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::net::{TcpStream, UdpSocket};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -289,8 +289,13 @@ fn who_is_stuck_keeps_nobody_waiting() {
     let started = Instant::now();
     assert_eq!(served.get("api/state").status, 200);
     assert!(started.elapsed() < Duration::from_secs(4), "{:?}", started.elapsed());
+    // Those that have begun are told, in time.
+    let mut told = String::new();
+    let _ = (&stuck[1]).read_to_string(&mut told);
+    assert!(told.starts_with("HTTP/1.1 408 "), "{told}");
+    assert!(started.elapsed() < Duration::from_secs(20), "{:?}", started.elapsed());
+    let again = served.connect();
     drop(served.tab());
-    let (code, _) = served.end();
-    assert_eq!(code, Some(1));
-    drop(stuck);
+    assert_eq!(served.end().0, Some(1));
+    drop(again);
 }

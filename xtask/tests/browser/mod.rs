@@ -229,8 +229,14 @@ impl Printing {
     /// That it has nothing to say for a while in which it looks several times.
     #[track_caller]
     pub(crate) fn expect_silence(&self) {
-        let said = self.lines.recv_timeout(Duration::from_millis(1500));
-        assert!(said.is_err(), "{said:?}");
+        assert_eq!(self.lines_of(Duration::from_millis(1500)), [""; 0]);
+    }
+
+    /// What it says in so much time.
+    pub(crate) fn lines_of(&self, time: Duration) -> Vec<String> {
+        let end = Instant::now() + time;
+        let left = || end.saturating_duration_since(Instant::now());
+        std::iter::from_fn(|| self.lines.recv_timeout(left()).ok()).collect()
     }
 
     /// Presses Ctrl-C, and waits for its end; the exit code.
