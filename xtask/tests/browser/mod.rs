@@ -265,8 +265,11 @@ impl Tab {
     #[track_caller]
     pub(crate) fn event(&mut self) -> Event {
         let mut event = Event::default();
+        let started = Instant::now();
         loop {
             let mut line = String::new();
+            // Pings go on whatever happens.
+            assert!(started.elapsed() < PATIENCE, "no event");
             assert!(self.0.read_line(&mut line).unwrap() > 0, "the stream ended");
             match line.trim_end().split_once(": ") {
                 Some(("event", name)) => name.clone_into(&mut event.0),
