@@ -68,6 +68,30 @@ fn of_black_only_roundings_are_close() {
 }
 
 #[test]
+fn a_tolerance_that_is_left_out_is_a_few_roundings() {
+    #[track_caller]
+    fn check(written: &str, found: f64, is_met: bool) {
+        let picture = Rendered {
+            linear: LinearImage::from_fn(Size { width: 3, height: 2 }, |x, _| {
+                Rgb::WHITE * if x == 0 { found } else { 1.0 }
+            }),
+            ..rendered()
+        };
+        let expectation: Expectation = serde_json::from_str(written).unwrap();
+        assert_eq!(expectation.check(&picture).is_ok(), is_met, "{written} of {found}");
+    }
+    let radiance = r#"{"Radiance": {"at": [0, 0], "rgb": [0.25, 0.25, 0.25]}}"#;
+    let black = r#"{"Radiance": {"at": [0, 0], "rgb": [0, 0, 0]}}"#;
+    let ratio = r#"{"Ratio": {"of": [0, 0], "to": [1, 1], "is": 0.25}}"#;
+    for written in [radiance, ratio] {
+        check(written, 0.25 * (1.0 + 1e-13), true);
+        check(written, 0.25 * (1.0 + 1e-11), false);
+    }
+    check(black, 1e-13, true);
+    check(black, 1e-11, false);
+}
+
+#[test]
 fn a_line_of_one_pixel_is_its_own_mirror_image() {
     let fields = |mirror, image| Expectation::Mirror(mirror).problems(image).len();
     assert_eq!(fields(Mirror::LeftRight, (1, 9)), 1);
