@@ -1,7 +1,14 @@
 //! What goldray's command lines share: how a verb ends, where it was given, how
 //! far it is. `xtask` is one of them, `xtask-stress` the other.
 
+pub mod browser;
+pub mod interrupt;
+pub mod look;
 pub mod progress;
+pub mod rebuild;
+pub mod say;
+pub mod serve;
+pub mod terminal;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

@@ -32,6 +32,7 @@ Examples:
   cargo xtask check                   judge every fixture
   cargo xtask check sphere            those with \"sphere\" in their name
   cargo xtask check 'box/from-*'      those that match the pattern
+  cargo xtask review                  look at what does not match, and accept or reject it
   cargo xtask bless sphere/tangent    accept today's picture of one fixture";
 
 #[derive(Debug, Subcommand)]
@@ -40,6 +41,10 @@ enum Verb {
     Check(verb::check::Args),
     /// Accept today's pictures as goldens, where they are not a match
     Bless(verb::bless::Args),
+    /// Look at what does not match, in a browser or the terminal, and accept or reject it
+    Review(verb::review::Args),
+    /// Check anew whenever a fixture, a golden or the renderer is edited
+    Watch(verb::watch::Args),
     /// Write a small valid fixture to start from
     New(verb::new::Args),
     /// Make a small fixture of a large one that fails
@@ -83,6 +88,8 @@ fn main() -> ExitCode {
     let answer = match cli.verb {
         Verb::Check(args) => verb::check::run(&here, &args),
         Verb::Bless(args) => verb::bless::run(&here, &args),
+        Verb::Review(args) => verb::review::run(&here, &args),
+        Verb::Watch(args) => verb::watch::run(&here, &args),
         Verb::New(args) => verb::new::run(&here, &args),
         Verb::Minimize(args) => verb::minimize::run(&here, &args),
         Verb::List(args) => verb::list::run(&here, &args),

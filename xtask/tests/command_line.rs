@@ -30,6 +30,8 @@ fn help_of_every_verb() {
         "",
         "check",
         "bless",
+        "review",
+        "watch",
         "new",
         "minimize",
         "list",

@@ -11,6 +11,7 @@ mod propose;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use again::propose_steps;
 pub use again::{Moved, propose_again};
 pub use commit::{Blessed, commit};
 pub use plan::{Action, Plan, PlanError, Refusal, Step};

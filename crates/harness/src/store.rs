@@ -5,18 +5,20 @@
 #![allow(clippy::disallowed_methods)]
 
 mod folder_assets;
+mod stamp;
 #[cfg(test)]
 mod tests;
 
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Component, Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{OnceLock, RwLock};
 
 use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
 pub use folder_assets::FolderAssets;
+pub use stamp::{Stamp, stamps};
 
 /// Something that could not be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -79,8 +81,17 @@ pub fn program_hash() -> Result<String, StoreError> {
         std::env::current_exe()
     };
     let path = path.map_err(|error| StoreError::io(Path::new("."), &error))?;
-    let bytes = fs::read(&path).map_err(|error| StoreError::io(&path, &error))?;
-    Ok(HASH.get_or_init(|| blake3::hash(&bytes).to_hex().to_string()).clone())
+    let hash = file_hash(&path)?;
+    Ok(HASH.get_or_init(|| hash).clone())
+}
+
+/// The hash of a program in a file, as [`program_hash`] has it.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn file_hash(path: &Path) -> Result<String, StoreError> {
+    let bytes = fs::read(path).map_err(|error| StoreError::io(path, &error))?;
+    Ok(blake3::hash(&bytes).to_hex().to_string())
 }
 
 /// How the names of half-written files begin and end. They are hidden and have
@@ -114,6 +125,15 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
     write_then(path, bytes, |file| file.persist(path).map(drop).map_err(|error| error.error))
 }
 
+/// Held by whoever writes a file, for as long as it is half-written.
+static WRITING: RwLock<()> = RwLock::new(());
+
+/// Waits until no file of this program is half-written, and lets none be begun
+/// for as long as the answer is held: for a program that is to end at once.
+pub fn nothing_half_written() -> impl Sized {
+    WRITING.write()
+}
+
 /// Whether a file may be written at this path.
 ///
 /// # Errors
@@ -136,6 +156,7 @@ fn write_then(
     persist: impl Fn(NamedTempFile) -> std::io::Result<()>,
 ) -> Result<(), StoreError> {
     check_place(path)?;
+    let _writing = WRITING.read();
     let write = || {
         let folder = path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;

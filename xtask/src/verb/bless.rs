@@ -49,14 +49,7 @@ Examples:
   cargo xtask bless --all --prune          accept all, and remove goldens without a fixture";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
-    // Accepting is for people who have looked; a build server has not.
-    if std::env::var_os("CI").is_some() {
-        return Err(CannotAsk(
-            "bless: expected to run by hand, found the variable CI set: run it on your own \
-             machine, look at the pictures, and commit the goldens"
-                .to_owned(),
-        ));
-    }
+    by_hand("bless")?;
     let suite = here.suite()?;
     if let Some(file) = &args.apply {
         return apply(here, &suite, file);
@@ -75,6 +68,17 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return write_plan(here, file, &Plan::of(&proposals));
     }
     Ok(say(here, &suite, commit(&suite, proposals)))
+}
+
+/// Accepting is for people who have looked; a build server has not.
+pub(crate) fn by_hand(verb: &str) -> Result<(), CannotAsk> {
+    if std::env::var_os("CI").is_none() {
+        return Ok(());
+    }
+    Err(CannotAsk(format!(
+        "{verb}: expected to run by hand, found the variable CI set: run it on your own machine, \
+         look at the pictures, and commit the goldens"
+    )))
 }
 
 fn write_plan(here: &Here, file: &Path, plan: &Plan) -> Result<Answer, CannotAsk> {
@@ -160,7 +164,7 @@ fn say(here: &Here, suite: &Suite, all: Result<Vec<(String, Blessed)>, Vec<Moved
 }
 
 /// What is drawn of goldens, and so is out of date.
-fn say_what_follows(here: &Here, suite: &Suite) {
+pub(crate) fn say_what_follows(here: &Here, suite: &Suite) {
     let flag = here.reader(suite).root_flag;
     if store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
         println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);

@@ -1,24 +1,14 @@
 //! `check`: judge fixtures against their goldens.
 
 mod outputs;
-mod say;
 
-use std::hash::{BuildHasher, Hasher, RandomState};
-use std::time::Instant;
-
-use harness::last_failed;
-use harness::recheck::{Rechecked, recheck};
 use harness::report::page::{self, Kind};
-use harness::report::summarize;
-use harness::run;
-use harness::steady::run_repeatedly;
-use harness::store::{self, StoreError};
-use harness::suite::{Selection, Suite};
-use harness::verdict::Outcome;
+use harness::store;
+use harness::suite::Suite;
 
 use outputs::Outputs;
-use say::Say;
-use xtask::progress::Progress;
+use xtask::look::{Ask, How, look};
+use xtask::say::Say;
 use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `check`.
@@ -56,61 +46,21 @@ Examples:
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;
     args.outputs.may_write(here)?;
-    let started = Instant::now();
-    let mut selection = suite.select(&args.filters)?;
-    if args.last_failed {
-        selection = last_failed::select(&suite, &selection)?;
-    }
-    let Rechecked { outcomes, unkept } = judge(&suite, &selection, args)?;
-    let elapsed = started.elapsed().as_secs_f64();
-
-    let (say, reader) = (&args.say, here.reader(&suite));
-    say.outcomes(&outcomes, &reader);
-    if args.repeat.is_none() {
-        say.slow(&suite, &outcomes, &reader);
-    }
-    say.audited(&outcomes);
-    let summary = summarize(&outcomes);
-    if summary.belied > 0 && unkept.is_none() {
-        println!("{} was wrong: it is removed, and everything was rendered", Suite::RECORD);
-    }
-    say.summary(&summary, elapsed);
-    if let Some(why) = &unkept {
-        println!("the record of matches could not be kept: {why}");
-    }
-    let is_all = args.filters.is_empty() && !args.last_failed;
-    if let Err(why) = last_failed::keep(&suite, &outcomes, is_all) {
-        println!("what failed could not be kept for --last-failed: {why}");
-    }
-    let page = page::html(&suite, &outcomes, elapsed * 1e3, Kind::Report, &reader);
+    let how = match args.repeat {
+        Some(times) => How::Repeatedly(times),
+        None if args.no_cache => How::Once,
+        None => How::Recheck,
+    };
+    let ask = Ask { filters: &args.filters, last_failed: args.last_failed, how };
+    let looked = look(&suite, &ask, &args.say)?;
+    let reader = here.reader(&suite);
+    looked.say(&suite, &args.say, &reader);
+    let (outcomes, elapsed_ms) = (looked.outcomes(), looked.elapsed_ms);
+    let page = page::html(&suite, outcomes, elapsed_ms, Kind::Report, &reader);
     store::write(&suite.root().join(Suite::REPORT), page.as_bytes())?;
-    if !say.quiet {
+    if !args.say.quiet {
         println!("report: {}{}", reader.path_prefix, Suite::REPORT);
     }
-    args.outputs.write(here, &suite, &outcomes, elapsed * 1e3)?;
-    Ok(if summary.is_green() { Answer::Yes } else { Answer::No })
-}
-
-fn judge(suite: &Suite, selection: &Selection, args: &Args) -> Result<Rechecked, StoreError> {
-    let total = selection.fixtures.len() + selection.orphans.len();
-    let progress =
-        if args.say.quiet { Progress::silent() } else { Progress::start("checking", total) };
-    let advance = |outcome: &Outcome| progress.advance(&outcome.name);
-    let every = |outcomes| Rechecked { outcomes, unkept: None };
-    // A build server has time, and its record would be one that nobody made.
-    let judged = if let Some(repeats) = args.repeat {
-        run_repeatedly(suite, selection, repeats, &advance).map(every)
-    } else if args.no_cache || std::env::var_os("CI").is_some() {
-        run::run(suite, selection, &advance).map(every)
-    } else {
-        recheck(suite, selection, random(), &advance)
-    };
-    progress.finish();
-    judged
-}
-
-/// Another number each time, from the randomness of the system that the
-/// standard library takes for its hash tables.
-fn random() -> u64 {
-    RandomState::new().build_hasher().finish()
+    args.outputs.write(here, &suite, outcomes, elapsed_ms)?;
+    Ok(if looked.is_green() { Answer::Yes } else { Answer::No })
 }

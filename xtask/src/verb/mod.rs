@@ -16,4 +16,6 @@ pub(crate) mod minimize;
 pub(crate) mod new;
 pub(crate) mod reference;
 pub(crate) mod render;
+pub(crate) mod review;
 pub(crate) mod sensitivity;
+pub(crate) mod watch;

@@ -15,6 +15,11 @@ pub(crate) const SQUARE: &str = r"// A square.
     objects: [Box(min: (-1, -1, -1), max: (1, 1, 1))],
 )";
 
+/// The square without its upper half.
+pub(crate) fn flat() -> String {
+    SQUARE.replace("(1, 1, 1)", "(1, 0.5, 1)")
+}
+
 /// A folder with some fixtures, and the binary to run there.
 pub(crate) struct Tree(pub(crate) tempfile::TempDir);
 
@@ -32,6 +37,18 @@ impl Tree {
     pub(crate) fn blessed(fixtures: &[(&str, &str)]) -> Self {
         let tree = Self::new(fixtures);
         tree.run(&["bless", "--all"]).expect_code(0);
+        tree
+    }
+
+    /// One of a kind: `add/ed` has no golden, `broken` breaks its word, `changed`
+    /// has another scene's golden, `gone` has no fixture, `same` is a match.
+    pub(crate) fn failing() -> Self {
+        let tree = Self::blessed(&[("changed", SQUARE), ("gone", SQUARE), ("same", SQUARE)]);
+        fs::remove_file(tree.path("fixtures/gone.ron")).unwrap();
+        tree.write("fixtures/changed.ron", flat().as_bytes());
+        tree.write("fixtures/add/ed.ron", SQUARE.as_bytes());
+        let broken = "check: (expect: [Radiance(at: (0, 0), rgb: (9, 9, 9))]), image";
+        tree.write("fixtures/broken.ron", SQUARE.replace("image", broken).as_bytes());
         tree
     }
 

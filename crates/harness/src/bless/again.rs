@@ -39,38 +39,49 @@ pub fn propose_again(
     plan: &Plan,
     on_done: &(dyn Fn(&str) + Sync),
 ) -> Result<Proposals, PlanError> {
-    let proposals = propose(suite, &selection(plan, suite)?, true, on_done);
-    let moved: Vec<_> = plan
-        .goldens
-        .iter()
-        .flat_map(|step| match proposals.get(&step.name) {
-            Some(proposal) => moved_since(suite, step, proposal),
-            None => Vec::new(),
-        })
-        .collect();
+    check_names(plan, suite)?;
+    let (proposals, moved) = propose_steps(suite, &plan.goldens, on_done);
     if moved.is_empty() { Ok(proposals) } else { Err(PlanError::Moved(moved)) }
 }
 
-/// What is to be rendered, and removed.
-fn selection(plan: &Plan, suite: &Suite) -> Result<Selection, PlanError> {
-    let all = suite.select(&[])?;
-    // Both are sorted.
-    let is_known =
-        |name| [&all.fixtures, &all.orphans].iter().any(|a| a.binary_search(name).is_ok());
+/// What steps of a plan come to by today's fixtures and goldens, and whatever is
+/// not as they say.
+pub(crate) fn propose_steps(
+    suite: &Suite,
+    steps: &[Step],
+    on_done: &(dyn Fn(&str) + Sync),
+) -> (Proposals, Vec<Moved>) {
     let mut selection = Selection { fixtures: Vec::new(), orphans: Vec::new() };
-    for Step { name, action, .. } in &plan.goldens {
-        if !is_known(name) {
-            let what =
-                format!("\"{name}\" is no fixture and no golden of this suite: make a plan anew");
-            return Err(PlanError::NotOne(what));
-        }
+    for Step { name, action, .. } in steps {
         let names = match action {
             Action::Add | Action::Replace => &mut selection.fixtures,
             Action::Prune => &mut selection.orphans,
         };
         names.push(name.clone());
     }
-    Ok(selection)
+    let proposals = propose(suite, &selection, true, on_done);
+    let moved = steps
+        .iter()
+        .flat_map(|step| match proposals.get(&step.name) {
+            Some(proposal) => moved_since(suite, step, proposal),
+            None => Vec::new(),
+        })
+        .collect();
+    (proposals, moved)
+}
+
+/// Refuses names that are not of this suite.
+fn check_names(plan: &Plan, suite: &Suite) -> Result<(), PlanError> {
+    let all = suite.select(&[])?;
+    // Both are sorted.
+    let is_known =
+        |name| [&all.fixtures, &all.orphans].iter().any(|a| a.binary_search(name).is_ok());
+    match plan.goldens.iter().find(|step| !is_known(&step.name)) {
+        None => Ok(()),
+        Some(Step { name, .. }) => Err(PlanError::NotOne(format!(
+            "\"{name}\" is no fixture and no golden of this suite: make a plan anew"
+        ))),
+    }
 }
 
 /// What differs between a step of a plan and what is proposed today.

@@ -17,6 +17,7 @@ use std::fmt;
 use tracer::LinearImage;
 
 pub use encoded::EncodedImage;
+pub use tracer::Size;
 pub use transfer::Transfer;
 
 /// The 8-bit picture of `linear`, pixel by pixel through `transfer`.

@@ -15,7 +15,7 @@ const READABLE_WIDTH: u32 = 320;
 
 /// Colors of differences from 1, from 2, from 4 and so on to 128: none of them
 /// gray, so that even a difference of 1 stands out, and brighter for more.
-const HEAT: [[u8; 3]; 8] = [
+pub const HEAT: [[u8; 3]; 8] = [
     [88, 28, 160],
     [130, 36, 150],
     [175, 45, 125],
@@ -61,7 +61,7 @@ fn panel_width(picture: &EncodedImage, side: u32) -> u32 {
 
 /// Equal pixels dim and gray, differing ones in a color of [`HEAT`];
 /// `None` for different sizes.
-fn difference(golden: &EncodedImage, actual: &EncodedImage) -> Option<EncodedImage> {
+pub fn difference(golden: &EncodedImage, actual: &EncodedImage) -> Option<EncodedImage> {
     (golden.size() == actual.size()).then(|| {
         EncodedImage::from_fn(golden.size(), |x, y| {
             let (g, a) =

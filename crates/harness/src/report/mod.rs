@@ -16,4 +16,6 @@ pub use json::{comparison_json, metrics_json, run_json};
 pub use junit::junit;
 pub use markdown::markdown;
 pub use summary::{Summary, summarize};
-pub use text::{Reader, brief_line, comparison_lines, full_line, numbers, outcome_line};
+pub use text::{
+    Reader, brief_line, comparison_lines, full_line, numbers, outcome_line, outcome_parts,
+};

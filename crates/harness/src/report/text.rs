@@ -96,6 +96,16 @@ fn join(line: &str, parts: &[String]) -> String {
     }
 }
 
+/// What [`outcome_line`] says after the name, each part for itself: findings,
+/// numbers, what it lies on, where to look, what to do. Of a fixture with
+/// problems, the lines that say them.
+pub fn outcome_parts(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    if outcome.verdict == Verdict::RenderRefused {
+        return outcome.findings.iter().flat_map(|f| f.lines()).map(str::to_owned).collect();
+    }
+    [reasons(outcome, reader), hints(outcome, reader)].concat()
+}
+
 /// Why, in as many parts as there are: findings, numbers, what is to blame.
 pub(super) fn reasons(outcome: &Outcome, reader: &Reader) -> Vec<String> {
     let findings = &outcome.findings;

@@ -22,6 +22,11 @@ pub(crate) fn check_ending(path: &str) -> Result<(), String> {
     reader(path).map(|_| ())
 }
 
+/// Whether a file's name is one that a scene may name as a mesh.
+pub fn is_mesh(path: &str) -> bool {
+    check_ending(path).is_ok()
+}
+
 /// Reads a mesh by the ending of its file's name.
 ///
 /// # Errors

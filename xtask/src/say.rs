@@ -1,4 +1,4 @@
-//! `Say`: how much a check prints, and in which colors.
+//! `Say`: how much is printed of what was judged, and in which colors.
 
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
@@ -9,10 +9,10 @@ use harness::verdict::{Origin, Outcome, Verdict, shell_word};
 
 /// Flags of what is printed.
 #[derive(Debug, clap::Args)]
-pub(crate) struct Say {
+pub struct Say {
     /// Print failures without where to look and what to do, and the count
     #[arg(short, long, conflicts_with = "verbose")]
-    pub(crate) quiet: bool,
+    pub quiet: bool,
     /// Print a line for every fixture, with its times
     #[arg(short, long)]
     verbose: bool,
@@ -44,7 +44,7 @@ impl Say {
     }
 
     /// A line for each that is to be seen.
-    pub(crate) fn outcomes(&self, outcomes: &[Outcome], reader: &Reader) {
+    pub fn outcomes(&self, outcomes: &[Outcome], reader: &Reader) {
         for outcome in outcomes {
             let line = match (outcome.verdict, self.quiet, self.verbose) {
                 (_, _, true) => full_line(outcome, reader),
@@ -60,7 +60,7 @@ impl Say {
     }
 
     /// Which fixtures were rendered although nothing had changed for them.
-    pub(crate) fn audited(&self, outcomes: &[Outcome]) {
+    pub fn audited(&self, outcomes: &[Outcome]) {
         const SHOWN: usize = 8;
         let is_audited = |o: &&Outcome| matches!(o.origin, Origin::Audited | Origin::Belied);
         let names: Vec<_> = outcomes.iter().filter(is_audited).map(|o| o.name.as_str()).collect();
@@ -75,7 +75,7 @@ impl Say {
     }
 
     /// Which fixtures took long, and what their pictures need.
-    pub(crate) fn slow(&self, suite: &Suite, outcomes: &[Outcome], reader: &Reader) {
+    pub fn slow(&self, suite: &Suite, outcomes: &[Outcome], reader: &Reader) {
         if self.quiet {
             return;
         }
@@ -91,7 +91,7 @@ impl Say {
     }
 
     /// How many of each verdict.
-    pub(crate) fn summary(&self, summary: &Summary, seconds: f64) {
+    pub fn summary(&self, summary: &Summary, seconds: f64) {
         let style = if summary.is_green() { GOOD } else { BAD };
         println!("{} ({seconds:.2} s)", self.painted(&summary.to_string(), style));
     }

@@ -1,0 +1,263 @@
+//! `Review`: what was judged, and what people decide about it.
+//!
+//! Accepting goes the way of a plan: what is proposed when the review begins is
+//! proposed again when it is accepted, and written only if nothing moved, so
+//! that what is accepted is what was shown. Nothing is lost by it: an acceptance
+//! can be taken back for as long as its golden is what it wrote.
+
+mod json;
+mod tally;
+#[cfg(test)]
+mod tests;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+pub use tally::Tally;
+
+use crate::bless::{Blessed, Plan, Proposals, Step, commit, propose, propose_steps};
+use crate::hash::content_hash;
+use crate::run::read_golden;
+use crate::store;
+use crate::suite::{Selection, Suite};
+use crate::verdict::{Outcome, Verdict};
+
+/// What is decided about a fixture or golden.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Decision {
+    /// Its golden was written, or removed where it had no fixture.
+    Accepted,
+    /// It is not accepted. Nothing was written.
+    Rejected,
+}
+
+/// Outcomes with what can be done about them.
+#[derive(Debug)]
+pub struct Review {
+    suite: Suite,
+    outcomes: BTreeMap<String, Outcome>,
+    /// What would be written, as of when the review began.
+    steps: BTreeMap<String, Step>,
+    /// Why others cannot be accepted.
+    refused: BTreeMap<String, String>,
+    decided: BTreeMap<String, Decided>,
+    /// The hash of each golden that was last written here; `None` for one that
+    /// was removed.
+    written: BTreeMap<String, Option<String>>,
+}
+
+/// A decision, and what is needed to take it back.
+#[derive(Debug, Clone)]
+enum Decided {
+    /// The golden's bytes before and its hash after; `None` where there is none.
+    Accepted {
+        before: Option<Vec<u8>>,
+        after: Option<String>,
+    },
+    Rejected,
+}
+
+impl Review {
+    /// A review of what was judged of a suite. What is no match is rendered
+    /// again, to be proposed; nothing is written.
+    pub fn new(suite: &Suite, outcomes: &[Outcome]) -> Self {
+        let names = |is_wanted: fn(&Outcome) -> bool| {
+            let wanted = outcomes.iter().filter(|outcome| is_wanted(outcome));
+            wanted.map(|outcome| outcome.name.clone()).collect()
+        };
+        let selection = Selection {
+            fixtures: names(|o| !matches!(o.verdict, Verdict::Match | Verdict::OrphanGolden)),
+            orphans: names(|o| o.verdict == Verdict::OrphanGolden),
+        };
+        let plan = Plan::of(&propose(suite, &selection, true, &|_| ()));
+        let reasons = |reasons: Vec<String>| reasons.join("; ").trim_end().to_owned();
+        Self {
+            suite: suite.clone(),
+            outcomes: outcomes.iter().map(|o| (o.name.clone(), o.clone())).collect(),
+            steps: plan.goldens.into_iter().map(|step| (step.name.clone(), step)).collect(),
+            refused: plan.refused.into_iter().map(|r| (r.name, reasons(r.reasons))).collect(),
+            decided: BTreeMap::new(),
+            written: BTreeMap::new(),
+        }
+    }
+
+    /// Takes over what was decided in an earlier review of the suite: what was
+    /// accepted stays so where the golden is still what was accepted, and what
+    /// was rejected where it is the very same picture.
+    pub fn inherit(&mut self, earlier: &Self) {
+        let still_holds = |(name, decided): &(&String, &Decided)| match decided {
+            Decided::Accepted { after, .. } => {
+                self.outcomes.get(*name).is_none_or(|o| o.verdict == Verdict::Match)
+                    && self.golden_hash(name).as_ref() == Ok(after)
+            }
+            Decided::Rejected => {
+                earlier.steps.contains_key(*name)
+                    && earlier.steps.get(*name) == self.steps.get(*name)
+            }
+        };
+        let decided = earlier.decided.iter().filter(still_holds);
+        self.decided = decided.map(|(name, decided)| (name.clone(), decided.clone())).collect();
+        self.written.clone_from(&earlier.written);
+    }
+
+    /// What was judged, in the order of names.
+    pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
+        self.outcomes.values()
+    }
+
+    /// What is decided about this name.
+    pub fn decision(&self, name: &str) -> Option<Decision> {
+        self.decided.get(name).map(|decided| match decided {
+            Decided::Accepted { .. } => Decision::Accepted,
+            Decided::Rejected => Decision::Rejected,
+        })
+    }
+
+    /// Whether accepting this name would write its golden, if nothing moved.
+    pub fn can_accept(&self, name: &str) -> bool {
+        self.steps.contains_key(name) && self.decision(name) != Some(Decision::Accepted)
+    }
+
+    /// Why this name cannot be accepted, where something about it is wrong that
+    /// no golden settles.
+    pub fn why_not(&self, name: &str) -> Option<&str> {
+        self.refused.get(name).map(String::as_str)
+    }
+
+    /// How it stands.
+    pub fn tally(&self) -> Tally {
+        Tally::of(self)
+    }
+
+    /// Accepts each of these that can be, and is just as it was when the review
+    /// began. What was not accepted and why, a sentence each.
+    pub fn accept(&mut self, names: &[String]) -> Vec<String> {
+        let (mut steps, mut said) = (Vec::new(), Vec::new());
+        for name in names.iter().collect::<BTreeSet<_>>() {
+            match self.step(name) {
+                Ok(step) => steps.extend(step.cloned()),
+                Err(why) => said.push(format!("{name} is not accepted: {why}")),
+            }
+        }
+        let (mut proposals, moved) = propose_steps(&self.suite, &steps, &|_| ());
+        for moved in &moved {
+            proposals.remove(&moved.name);
+            said.push(format!("Not accepted, as it moved since it was shown: {moved}"));
+        }
+        for step in steps {
+            if let Some((name, proposal)) = proposals.remove_entry(&step.name) {
+                let one = Proposals::from([(name, proposal)]);
+                if let Err(why) = self.write(step, one) {
+                    said.push(why);
+                }
+            }
+        }
+        said
+    }
+
+    /// Notes that these are not accepted, after taking back what was. What
+    /// could not be, a sentence each.
+    pub fn reject(&mut self, names: &[String]) -> Vec<String> {
+        let mut said = Vec::new();
+        for name in names {
+            let rejected = self.failing(name).and_then(|()| match self.decision(name) {
+                Some(Decision::Accepted) => self.take_back(name),
+                _ => Ok(()),
+            });
+            match rejected {
+                Ok(()) => _ = self.decided.insert(name.clone(), Decided::Rejected),
+                Err(why) => said.push(format!("{name} is not rejected: {why}")),
+            }
+        }
+        said
+    }
+
+    /// Takes decisions back: of an acceptance, the golden that there was comes
+    /// back, if the one that was accepted is still there. What was not taken
+    /// back and why, a sentence each.
+    pub fn undo(&mut self, names: &[String]) -> Vec<String> {
+        let undo = |name: &String| {
+            let why = self.take_back(name).err()?;
+            Some(format!("{name} is not taken back: {why}"))
+        };
+        names.iter().filter_map(undo).collect()
+    }
+
+    /// Whether the golden of this name is as it was last written here, so that
+    /// nobody else has changed it.
+    pub fn wrote(&self, name: &str) -> bool {
+        self.written.get(name).is_some_and(|hash| self.golden_hash(name).as_ref() == Ok(hash))
+    }
+
+    /// What would be written for this name; `None` where it has been.
+    fn step(&self, name: &str) -> Result<Option<&Step>, String> {
+        if let Some(Decided::Accepted { after, .. }) = self.decided.get(name) {
+            let moved = "its golden was accepted and has moved since".to_owned();
+            return if self.golden_hash(name)? == *after { Ok(None) } else { Err(moved) };
+        }
+        self.failing(name)?;
+        let why = || self.why_not(name).unwrap_or("it is a match by now").to_owned();
+        self.steps.get(name).map(Some).ok_or_else(why)
+    }
+
+    /// Refuses what is nothing to decide about.
+    fn failing(&self, name: &str) -> Result<(), String> {
+        if self.decided.contains_key(name) {
+            return Ok(());
+        }
+        match self.outcomes.get(name) {
+            None => Err("it is none of the fixtures and goldens that are reviewed".to_owned()),
+            Some(Outcome { verdict: Verdict::Match, .. }) => {
+                Err("it is a match, there is nothing to decide".to_owned())
+            }
+            Some(_) => Ok(()),
+        }
+    }
+
+    /// Writes what was proposed for one golden, after keeping what is there.
+    fn write(&mut self, step: Step, proposal: Proposals) -> Result<(), String> {
+        let Step { name, before, after, .. } = step;
+        let old = read_golden(&self.suite.golden_path(&name))
+            .map_err(|error| format!("{name} is not accepted: {error}"))?;
+        if old.as_ref().map(content_hash) != before {
+            return Err(format!("{name} is not accepted: its golden moved in this very moment"));
+        }
+        let sentence = |why: String| format!("{name} is not accepted: {why}");
+        let blessed = commit(&self.suite, proposal).map_err(|moved| {
+            sentence(moved.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))
+        })?;
+        if let Some((_, Blessed::Refused(why))) = blessed.into_iter().next() {
+            return Err(sentence(why.join("; ").trim_end().to_owned()));
+        }
+        self.written.insert(name.clone(), after.clone());
+        self.decided.insert(name, Decided::Accepted { before: old, after });
+        Ok(())
+    }
+
+    fn take_back(&mut self, name: &str) -> Result<(), String> {
+        match self.decided.get(name) {
+            None => return Err("it was neither accepted nor rejected".to_owned()),
+            Some(Decided::Rejected) => {}
+            Some(Decided::Accepted { before, after }) => {
+                if self.golden_hash(name)? != *after {
+                    let why = "its golden is no longer what was accepted, and stays as it is";
+                    return Err(why.to_owned());
+                }
+                let path = self.suite.golden_path(name);
+                let back = match before {
+                    None => store::remove(&path),
+                    Some(bytes) if after.is_none() => store::write_new(&path, bytes),
+                    Some(bytes) => store::write(&path, bytes),
+                };
+                back.map_err(|error| error.to_string())?;
+                self.written.insert(name.to_owned(), before.as_ref().map(content_hash));
+            }
+        }
+        self.decided.remove(name);
+        Ok(())
+    }
+
+    fn golden_hash(&self, name: &str) -> Result<Option<String>, String> {
+        let file = read_golden(&self.suite.golden_path(name)).map_err(|error| error.to_string())?;
+        Ok(file.map(content_hash))
+    }
+}

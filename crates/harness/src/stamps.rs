@@ -1,0 +1,152 @@
+//! `Stamps`: whether anything that verdicts follow from was edited, told without
+//! reading the files.
+//!
+//! Time and size decide nothing but when to look: what is judged then is
+//! content.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::store::{self, Stamp};
+use crate::suite::Suite;
+
+/// How files looked at one moment.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Stamps(BTreeMap<PathBuf, Stamp>);
+
+impl Stamps {
+    /// What a renderer is built from, relative to goldray's repository: files,
+    /// and folders in which everything but tests counts.
+    pub const SOURCES: [&str; 8] = [
+        "Cargo.toml",
+        "Cargo.lock",
+        "rust-toolchain.toml",
+        ".cargo",
+        "crates/tracer",
+        "crates/scene",
+        "crates/harness",
+        "xtask",
+    ];
+
+    /// The suite's fixtures, the meshes that they may name, and its goldens.
+    pub fn of_suite(suite: &Suite) -> Self {
+        let is_golden = |path: &Path, is_folder| is_folder || ends_in(path, "png");
+        let is_read = |path: &Path, is_folder| {
+            is_folder || ends_in(path, "ron") || scene::is_mesh(&path.to_string_lossy())
+        };
+        let mut all = store::stamps(&suite.root().join("fixtures"), &is_read);
+        all.extend(store::stamps(&suite.golden_folder(), &is_golden));
+        Self(all)
+    }
+
+    /// What the program is built from in the repository at `root`.
+    pub fn of_sources(root: &Path) -> Self {
+        const NOT_BUILT: [&str; 3] = ["target", "tests", "stress"];
+        let is_built = |path: &Path, is_folder: bool| {
+            let name = path.file_name().unwrap_or_default().to_str().unwrap_or_default();
+            !is_folder || !NOT_BUILT.contains(&name)
+        };
+        let all =
+            Self::SOURCES.iter().flat_map(|place| store::stamps(&root.join(place), &is_built));
+        Self(all.collect())
+    }
+
+    /// The paths that are in one only, or differ, in their order.
+    pub fn changed_since(&self, before: &Self) -> Vec<PathBuf> {
+        let edited = self.0.iter().filter(|(path, stamp)| before.0.get(*path) != Some(*stamp));
+        let gone = before.0.keys().filter(|path| !self.0.contains_key(*path));
+        let mut all: Vec<_> = edited.map(|(path, _)| path).chain(gone).cloned().collect();
+        all.sort();
+        all
+    }
+
+    /// How many files there are.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there is no file.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+fn ends_in(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILES: [&str; 8] = [
+        "fixtures/a.ron",
+        "fixtures/deep/m.OBJ",
+        "fixtures/notes.txt",
+        "fixtures/.a.ron.swp",
+        "golden/a.png",
+        "golden/.goldray-x.tmp",
+        "golden/a.png~",
+        "target/goldray/a.png",
+    ];
+
+    fn suite() -> (tempfile::TempDir, Suite) {
+        let folder = tempfile::tempdir().unwrap();
+        for file in FILES {
+            store::write(&folder.path().join(file), b"x").unwrap();
+        }
+        let suite = Suite::open(folder.path()).unwrap();
+        (folder, suite)
+    }
+
+    /// What is seen to change by this, relative to the suite.
+    #[track_caller]
+    fn check(change: impl Fn(&Path), expected: &[&str]) {
+        let (folder, suite) = suite();
+        let before = Stamps::of_suite(&suite);
+        assert_eq!(before.len(), 3);
+        change(folder.path());
+        let changed = Stamps::of_suite(&suite).changed_since(&before);
+        let expected: Vec<_> = expected.iter().map(|path| folder.path().join(path)).collect();
+        assert_eq!(changed, expected);
+    }
+
+    fn write(file: &str) -> impl Fn(&Path) {
+        move |root| store::write(&root.join(file), b"y").unwrap()
+    }
+
+    #[test]
+    fn only_what_a_verdict_follows_from_is_looked_at() {
+        check(|_| (), &[]);
+        for file in ["fixtures/notes.txt", "golden/a.png~", "target/goldray/a.png", "x.ron"] {
+            check(write(file), &[]);
+        }
+        for file in ["fixtures/.b.ron", "fixtures/.git/b.ron", "golden/.goldray-y.tmp"] {
+            check(write(file), &[]);
+        }
+        // The same count of bytes in the same moment, renamed into the place.
+        for file in ["fixtures/a.ron", "fixtures/deep/m.OBJ", "golden/a.png"] {
+            check(write(file), &[file]);
+        }
+        for file in ["fixtures/a/new.ply", "fixtures/b.ron", "golden/other/b.png"] {
+            check(write(file), &[file]);
+        }
+        check(|root| store::remove(&root.join("golden/a.png")).unwrap(), &["golden/a.png"]);
+    }
+
+    #[test]
+    fn sources_are_what_is_built() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        let built =
+            ["Cargo.toml", "crates/tracer/src/lib.rs", "xtask/src/a.rs", ".cargo/config.toml"];
+        let not =
+            ["crates/bench/src/a.rs", "xtask/stress/a.rs", "crates/tracer/tests/a.rs", "b.rs"];
+        for file in built.iter().chain(&not) {
+            store::write(&root.join(file), b"").unwrap();
+        }
+        let mut expected: Vec<_> = built.iter().map(|file| root.join(file)).collect();
+        expected.sort();
+        assert_eq!(Stamps::of_sources(root).changed_since(&Stamps::default()), expected);
+    }
+}

@@ -1,0 +1,262 @@
+//! `watch`: check anew whenever something is edited that verdicts follow from.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use harness::report::Reader;
+use harness::report::page::{self, Kind};
+use harness::review::Review;
+use harness::stamps::Stamps;
+use harness::store;
+use harness::suite::Suite;
+
+use super::bless::by_hand;
+use xtask::interrupt::{Interrupt, end_at_once};
+use xtask::look::{Ask, How, Looked, look};
+use xtask::rebuild::{self, Built, become_program, build, repository};
+use xtask::say::Say;
+use xtask::serve::{Address, Site, Token, serve};
+use xtask::{Answer, CannotAsk, Here};
+
+/// Flags of `watch`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Args {
+    /// Which fixtures; all if none is given
+    #[arg(value_name = "FILTER")]
+    filters: Vec<String>,
+    /// Print only, and serve no page
+    #[arg(long)]
+    no_serve: bool,
+    #[command(flatten)]
+    say: Say,
+}
+
+const AFTER_HELP: &str = "\
+Exit codes, after Ctrl-C: 0 all match or were accepted, 1 something does not, 2 could not ask.
+
+Examples:
+  cargo xtask watch                   check what is edited, and show it at the address that is printed
+  cargo xtask watch torus             those with \"torus\" in their name
+  cargo xtask watch --no-serve -q     print only, and little";
+
+/// How often files are looked at, at most.
+const LOOK_EVERY: Duration = Duration::from_millis(300);
+
+/// Of so much time one part is spent on looking, at most: under 2 % of a core,
+/// however many files there are.
+const LOOK_ONE_IN: u32 = 60;
+
+pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
+    if !args.no_serve {
+        by_hand("watch")?;
+    }
+    let suite = here.suite()?;
+    // Nothing to select is said at once, not waited for.
+    suite.select(&args.filters)?;
+    let mut watch = Watch {
+        reader: here.reader(&suite),
+        sources: repository(&suite),
+        // Before anything is looked at, so that a start that fails says so.
+        program: store::program_hash()?,
+        interrupt: Interrupt::listen()?,
+        served: None,
+        is_green: false,
+        suite,
+        args,
+    };
+    watch.until_interrupted()
+}
+
+/// What is watched, and what was said of it last.
+struct Watch<'a> {
+    suite: Suite,
+    args: &'a Args,
+    reader: Reader,
+    sources: Option<PathBuf>,
+    /// The hash of the program that runs.
+    program: String,
+    interrupt: Interrupt,
+    served: Option<(Arc<Site>, Address)>,
+    is_green: bool,
+}
+
+/// How the files looked at one moment.
+#[derive(PartialEq)]
+struct Seen {
+    suite: Stamps,
+    sources: Stamps,
+}
+
+impl Watch<'_> {
+    fn until_interrupted(&mut self) -> Result<Answer, CannotAsk> {
+        let mut seen = self.see();
+        self.check()?;
+        loop {
+            let started = Instant::now();
+            let found = self.see();
+            let pause = LOOK_EVERY.max(started.elapsed() * LOOK_ONE_IN);
+            if found != seen {
+                let found = self.settled(found);
+                self.act_on(&found, &seen)?;
+                seen = found;
+            }
+            if self.interrupt.wait(pause) {
+                return Ok(self.answer());
+            }
+        }
+    }
+
+    fn see(&self) -> Seen {
+        let sources = self.sources.as_deref().map(Stamps::of_sources).unwrap_or_default();
+        Seen { suite: Stamps::of_suite(&self.suite), sources }
+    }
+
+    /// How the files look when they are at rest: an editor writes in several
+    /// steps, and a branch that is checked out many files.
+    fn settled(&self, mut found: Seen) -> Seen {
+        const REST: Duration = Duration::from_millis(60);
+        const MAX_LOOKS: usize = 50;
+        for _ in 0..MAX_LOOKS {
+            if self.interrupt.wait(REST) {
+                break;
+            }
+            let again = self.see();
+            if again == found {
+                break;
+            }
+            found = again;
+        }
+        found
+    }
+
+    fn act_on(&mut self, found: &Seen, seen: &Seen) -> Result<(), CannotAsk> {
+        let edited = found.sources.changed_since(&seen.sources);
+        if let (Some(root), false) = (self.sources.clone(), edited.is_empty()) {
+            println!("\n{}: building", self.say_paths(&edited));
+            match build(&root, &self.interrupt)? {
+                // Built of something in between, and to be built again at once.
+                Built::Program(_) if Stamps::of_sources(&root) != found.sources => {}
+                Built::Program(program) if store::file_hash(&program)? != self.program => {
+                    return Err(become_program(&program, &self.resumed()));
+                }
+                Built::Program(_) => println!("the program is the same"),
+                Built::Failed => {
+                    println!("not built: the verdicts above are of the program before");
+                }
+                Built::Interrupted => return Ok(()),
+            }
+        }
+        let changed = found.suite.changed_since(&seen.suite);
+        let others: Vec<_> = changed.into_iter().filter(|path| !self.is_ours(path)).collect();
+        if others.is_empty() || self.interrupt.is_set() {
+            return Ok(());
+        }
+        println!("\n{}:", self.say_paths(&others));
+        self.check()
+    }
+
+    /// Whether this is a golden just as it was accepted here, so that all that
+    /// follows from it is known.
+    fn is_ours(&self, path: &Path) -> bool {
+        let relative = path.strip_prefix(self.suite.golden_folder()).ok();
+        let name =
+            relative.and_then(|relative| relative.with_extension("").to_str().map(str::to_owned));
+        // A name has `/` between its parts on every system.
+        let name = name.map(|name| name.replace(std::path::MAIN_SEPARATOR, "/"));
+        let Some((site, _)) = &self.served else { return false };
+        name.is_some_and(|name| site.review().wrote(&name))
+    }
+
+    fn say_paths(&self, paths: &[PathBuf]) -> String {
+        const SHOWN: usize = 3;
+        let label = |path: &PathBuf| {
+            path.strip_prefix(self.suite.root()).unwrap_or(path).display().to_string()
+        };
+        let shown: Vec<_> = paths.iter().take(SHOWN).map(label).collect();
+        match paths.len().saturating_sub(SHOWN) {
+            0 => format!("{} changed", shown.join(", ")),
+            more => format!("{} and {more} more changed", shown.join(", ")),
+        }
+    }
+
+    /// Judges everything that is selected, says what is said of it and shows it.
+    /// A suite that cannot be judged as it is, is said to be so.
+    fn check(&mut self) -> Result<(), CannotAsk> {
+        let before = Stamps::of_suite(&self.suite);
+        let judged = thread::scope(|scope| {
+            let judging = scope.spawn(|| self.judge());
+            while !judging.is_finished() {
+                const LOOK_EVERY: Duration = Duration::from_millis(20);
+                if self.interrupt.wait(LOOK_EVERY) {
+                    end_at_once(1);
+                }
+            }
+            judging.join()
+        });
+        self.is_green = false;
+        match judged {
+            Ok(Ok((looked, page, review))) => {
+                looked.say(&self.suite, &self.args.say, &self.reader);
+                self.is_green = looked.is_green();
+                // What was edited meanwhile is checked in a moment; until then,
+                // nothing is accepted that is not shown.
+                if !self.args.no_serve && Stamps::of_suite(&self.suite) == before {
+                    self.show(&page, review)?;
+                }
+            }
+            Ok(Err(CannotAsk(why))) => println!("error: {}", why.trim_end()),
+            // Its message was printed.
+            Err(_) => println!("error: the renderer panicked; edit it, or the fixture"),
+        }
+        Ok(())
+    }
+
+    fn judge(&self) -> Result<(Looked, String, Review), CannotAsk> {
+        let ask = Ask { filters: &self.args.filters, last_failed: false, how: How::Recheck };
+        let looked = look(&self.suite, &ask, &self.args.say)?;
+        let outcomes = looked.outcomes();
+        let review = Review::new(&self.suite, outcomes);
+        let page = page::html(&self.suite, outcomes, looked.elapsed_ms, Kind::Watch, &self.reader);
+        Ok((looked, page, review))
+    }
+
+    fn show(&mut self, page: &str, review: Review) -> Result<(), CannotAsk> {
+        if let Some((site, _)) = &self.served {
+            return Ok(site.replace(page, review)?);
+        }
+        let site = Arc::new(Site::new(page, review)?);
+        let address = serve(&site, resumed())?;
+        println!("watching at {} until Ctrl-C", address.url());
+        self.served = Some((site, address));
+        Ok(())
+    }
+
+    /// Where the program that follows is to serve, as [`resumed`] reads it.
+    fn resumed(&self) -> String {
+        let address = self.served.as_ref().map(|(_, address)| address);
+        address.map_or(String::new(), |address| format!("{} {}", address.port, address.token))
+    }
+
+    fn answer(&self) -> Answer {
+        let mut is_yes = self.is_green;
+        if let Some((site, _)) = &self.served {
+            let review = site.review();
+            let tally = review.tally();
+            println!("\n{tally}");
+            is_yes = tally.is_settled();
+            // Held to the end, so that nothing is decided after it was said.
+            std::mem::forget(review);
+        }
+        if is_yes { Answer::Yes } else { Answer::No }
+    }
+}
+
+/// Where the program before this one served.
+fn resumed() -> Option<Address> {
+    let text = std::env::var(rebuild::RESUMED).ok()?;
+    let (port, token) = text.split_once(' ')?;
+    Some(Address { port: port.parse().ok()?, token: Token::parse(token)? })
+}
