@@ -65,6 +65,13 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let elapsed = started.elapsed().as_secs_f64();
 
     let (say, reader) = (&args.say, here.reader(&suite));
+    // First of all, as a reader such as `head` ends the program.
+    let is_all = args.filters.is_empty() && !args.last_failed;
+    let kept = last_failed::keep(&suite, &outcomes, is_all);
+    let page = page::html(&suite, &outcomes, elapsed * 1e3, Kind::Report, &reader);
+    let reported = store::write(&suite.root().join(Suite::REPORT), page.as_bytes());
+    let written = args.outputs.write(here, &suite, &outcomes, elapsed * 1e3);
+
     say.outcomes(&outcomes, &reader);
     if args.repeat.is_none() {
         say.slow(&suite, &outcomes, &reader);
@@ -78,16 +85,15 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if let Some(why) = &unkept {
         println!("the record of matches could not be kept: {why}");
     }
-    let is_all = args.filters.is_empty() && !args.last_failed;
-    if let Err(why) = last_failed::keep(&suite, &outcomes, is_all) {
+    if let Err(why) = &kept {
         println!("what failed could not be kept for --last-failed: {why}");
     }
-    let page = page::html(&suite, &outcomes, elapsed * 1e3, Kind::Report, &reader);
-    store::write(&suite.root().join(Suite::REPORT), page.as_bytes())?;
+    args.outputs.say(here, &suite, &outcomes, elapsed * 1e3)?;
+    written?;
+    reported?;
     if !say.quiet {
         println!("report: {}{}", reader.path_prefix, Suite::REPORT);
     }
-    args.outputs.write(here, &suite, &outcomes, elapsed * 1e3)?;
     Ok(if summary.is_green() { Answer::Yes } else { Answer::No })
 }
 
