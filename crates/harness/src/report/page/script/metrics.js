@@ -1,0 +1,74 @@
+// The table of a fixture's metrics, held against its limits.
+
+function metricsSection(fixture) {
+  const isTold = report.metrics.some((metric) => typeof fixture[metric.name] === "number");
+  if (!isTold && fixture.limits.length === 0) return null;
+  const heads = ["metric", "value", fixture.limits.length > 0 ? "limit" : ""].map((words) =>
+    words ? element("th", { scope: "col" }, words) : element("td"),
+  );
+  const rows = report.metrics.map((metric) => metricRow(metric, fixture));
+  const word =
+    fixture.limits.length === 0
+      ? "It has no limits: every byte must be the same."
+      : "What the fixture states must hold; the rest is reported.";
+  return section(
+    "metrics",
+    "Metrics",
+    element("p", { class: "note" }, word),
+    element(
+      "table",
+      {},
+      element("thead", {}, element("tr", {}, heads)),
+      element("tbody", {}, rows),
+    ),
+  );
+}
+
+function metricRow(metric, fixture) {
+  const limits = fixture.limits.filter((limit) => limit.metric === metric.name);
+  const isBroken = limits.some((limit) => limit.broken);
+  const unit = metric.unit === "1" ? null : element("span", { class: "unit" }, ` ${metric.unit}`);
+  return element(
+    "tr",
+    { class: isBroken ? "is-broken" : null, "data-metric": metric.name },
+    element("th", { scope: "row" }, metricName(metric)),
+    element("td", {}, metricValue(fixture[metric.name]), unit),
+    element("td", {}, limits.map(limitWords)),
+  );
+}
+
+// Its name, with what it sees and does not see behind it.
+function metricName(metric) {
+  const arrow = isHigherBetter(metric) ? "↑" : "↓";
+  const better = isHigherBetter(metric) ? "higher is closer" : "lower is closer";
+  return element(
+    "details",
+    {},
+    element(
+      "summary",
+      { title: `Blind to: ${metric.blind_spot}` },
+      metric.name,
+      element("span", { class: "arrow", "aria-hidden": "true" }, ` ${arrow}`),
+      unseen(`, ${better}`),
+    ),
+    element("p", {}, `${metric.measures} Range ${metric.range}; ${better}.`),
+    element("p", {}, `Blind to: ${metric.blind_spot}`),
+  );
+}
+
+function isHigherBetter(metric) {
+  return /higher/i.test(metric.direction);
+}
+
+function limitWords({ limit, at_least, accepted, broken }) {
+  return element(
+    "div",
+    {
+      class: broken ? "limit broken" : "limit held",
+      title: `${limit}: ${broken ? "broken" : "held"}`,
+    },
+    `${at_least ? "≥" : "≤"} ${metricValue(accepted)} `,
+    element("span", { "aria-hidden": "true" }, broken ? "✗" : "✓"),
+    unseen(`, the limit ${limit} is ${broken ? "broken" : "held"}`),
+  );
+}
