@@ -109,6 +109,9 @@ fn a_reader_that_leaves_a_check_gets_no_panic() {
         let output = ran.wait_with_output().unwrap();
         assert_eq!(output.status.code(), Some(2));
         assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+        // What it wrote is there all the same.
+        tree.run(&["check", "--last-failed"]).expect_code(1).expect("1 judged");
+        fs::remove_dir_all(tree.path("target")).unwrap();
     }
 }
 

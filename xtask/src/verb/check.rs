@@ -54,13 +54,17 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let ask = Ask { filters: &args.filters, last_failed: args.last_failed, how };
     let looked = look(&suite, &ask, &args.say)?;
     let reader = here.reader(&suite);
-    looked.say(&suite, &args.say, &reader);
     let (outcomes, elapsed_ms) = (looked.outcomes(), looked.elapsed_ms);
+    // Before a line is printed, as a reader such as `head` ends the program.
     let page = page::html(&suite, outcomes, elapsed_ms, Kind::Report, &reader);
-    store::write(&suite.root().join(Suite::REPORT), page.as_bytes())?;
+    let reported = store::write(&suite.root().join(Suite::REPORT), page.as_bytes());
+    let written = args.outputs.write(here, &suite, outcomes, elapsed_ms);
+    looked.say(&suite, &args.say, &reader);
+    args.outputs.say(here, &suite, outcomes, elapsed_ms)?;
+    written?;
+    reported?;
     if !args.say.quiet {
         println!("report: {}{}", reader.path_prefix, Suite::REPORT);
     }
-    args.outputs.write(here, &suite, outcomes, elapsed_ms)?;
     Ok(if looked.is_green() { Answer::Yes } else { Answer::No })
 }

@@ -39,7 +39,10 @@ impl Outputs {
         self.step_summary().map_or(Ok(()), |file| here.may_write(&file))
     }
 
-    /// Writes and prints all that is asked for.
+    /// Writes the files that are asked for.
+    ///
+    /// # Errors
+    /// One of them cannot be written.
     pub(crate) fn write(
         &self,
         here: &Here,
@@ -55,17 +58,35 @@ impl Outputs {
         if let Some(path) = &self.junit {
             here.write(path, junit(outcomes, elapsed_ms, &reader).as_bytes())?;
         }
-        let summary = |max_bytes| markdown(outcomes, elapsed_ms, &reader, max_bytes);
-        if let Some(page) = self.summary.as_ref().and_then(|_| summary(usize::MAX)) {
-            self.summary.iter().try_for_each(|path| here.write(path, page.as_bytes()))?;
+        if let Some(path) = &self.summary {
+            let page = markdown(outcomes, elapsed_ms, &reader, usize::MAX).unwrap_or_default();
+            here.write(path, page.as_bytes())?;
         }
-        if self.is_github() {
-            let path_prefix = in_repository(suite)?;
-            print!("{}", annotations(outcomes, &Reader { path_prefix, ..reader.clone() }));
+        Ok(())
+    }
+
+    /// Says on GitHub what its runner shows, beside the lines and as the step's
+    /// summary.
+    ///
+    /// # Errors
+    /// There is no such place as the repository.
+    pub(crate) fn say(
+        &self,
+        here: &Here,
+        suite: &Suite,
+        outcomes: &[Outcome],
+        elapsed_ms: f64,
+    ) -> Result<(), CannotAsk> {
+        if !self.is_github() {
+            return Ok(());
         }
+        let reader = here.reader(suite);
+        let in_repository = Reader { path_prefix: in_repository(suite)?, ..reader.clone() };
+        print!("{}", annotations(outcomes, &in_repository));
         if let Some(path) = self.step_summary() {
             // The user named no such file: what becomes of it changes no answer.
-            if let Err(CannotAsk(why)) = add(here, &path, &summary) {
+            let page = |max_bytes| markdown(outcomes, elapsed_ms, &reader, max_bytes);
+            if let Err(CannotAsk(why)) = add(here, &path, &page) {
                 println!("the summary of this step could not be added to: {why}");
             }
         }
