@@ -9,7 +9,15 @@ PAGE = suites.REPOSITORY / "crates/harness/src/report/page"
 SCRIPTS = sorted((PAGE / "script").rglob("*.js"))
 
 # Ways for text of a suite to become markup, or code.
-FORBIDDEN = ["innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "new Function", "srcdoc"]
+FORBIDDEN = [
+    "innerHTML",
+    "outerHTML",
+    "insertAdjacentHTML",
+    "document.write",
+    "eval(",
+    "new Function",
+    "srcdoc",
+]
 
 
 def test_every_script_is_in_the_page_once():
@@ -26,7 +34,9 @@ def test_a_script_says_what_it_is_and_is_one_idea_long(path):
 
 
 def test_the_page_may_ask_for_nothing():
-    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]+)"', (PAGE / "page.html").read_text())[1]
+    policy = re.search(
+        r'http-equiv="Content-Security-Policy" content="([^"]+)"', (PAGE / "page.html").read_text()
+    )[1]
     parts = dict(part.strip().split(" ", 1) for part in policy.split(";"))
     assert parts["default-src"] == "'none'" and parts["connect-src"] == "'self'"
     assert parts["img-src"] == "data: blob:"
