@@ -60,15 +60,16 @@ function isHigherBetter(metric) {
   return /higher/i.test(metric.direction);
 }
 
-function limitWords({ limit, at_least, accepted, broken }) {
+// What is accepted, and whether it holds, where there was something to compare.
+function limitWords({ limit, at_least, accepted, found, broken }) {
+  const bound = `${at_least ? "≥" : "≤"} ${metricValue(accepted)}`;
+  const word = broken ? "broken" : "held";
+  if (found === null && !broken) return element("div", { class: "limit", title: limit }, bound);
   return element(
     "div",
-    {
-      class: broken ? "limit broken" : "limit held",
-      title: `${limit}: ${broken ? "broken" : "held"}`,
-    },
-    `${at_least ? "≥" : "≤"} ${metricValue(accepted)} `,
+    { class: `limit ${word}`, title: `${limit}: ${word}` },
+    `${bound} `,
     element("span", { "aria-hidden": "true" }, broken ? "✗" : "✓"),
-    unseen(`, the limit ${limit} is ${broken ? "broken" : "held"}`),
+    unseen(`, the limit ${limit} is ${word}`),
   );
 }
