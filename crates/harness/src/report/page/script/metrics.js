@@ -27,12 +27,14 @@ function metricsSection(fixture) {
 function metricRow(metric, fixture) {
   const limits = fixture.limits.filter((limit) => limit.metric === metric.name);
   const isBroken = limits.some((limit) => limit.broken);
-  const unit = metric.unit === "1" ? null : element("span", { class: "unit" }, ` ${metric.unit}`);
+  const value = fixture[metric.name] ?? null;
+  const hasUnit = value !== null && metric.unit !== "1";
+  const unit = hasUnit ? element("span", { class: "unit" }, ` ${metric.unit}`) : null;
   return element(
     "tr",
     { class: isBroken ? "is-broken" : null, "data-metric": metric.name },
     element("th", { scope: "row" }, metricName(metric)),
-    element("td", {}, metricValue(fixture[metric.name]), unit),
+    element("td", {}, metricValue(value), unit),
     element("td", {}, limits.map(limitWords)),
   );
 }
