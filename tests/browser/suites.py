@@ -164,6 +164,7 @@ def broken(root):
     change_golden(root, TAMPERED, cut, keeps_note=True)
     place(golden_path(REPOSITORY, "disk/facing"), golden_path(root, ORPHAN))
     Image.fromarray(codes(golden_path(root, WRONG_SIZE))[:50, :90]).save(golden_path(root, WRONG_SIZE))
+    edit(root, WRONG_SIZE, "check: (", 'check: (limits: (max_abs: 9, reason: "a trial of limits"), ')
     edit(root, REFUSED, "objects: [", "objects: [Spere(center: (0, 0, 0), radius: -1), ")
     edit(root, EXPECTATION, "expect: [", "expect: [Pixel(at: (0, 0), rgb: (9, 9, 9)), ")
 

@@ -58,6 +58,12 @@ def test_metrics_are_held_against_limits(open_page, broken_page):
     assert len(look.texts(".metrics tbody tr")) == len(look.report()["metrics"])
 
 
+def test_a_limit_that_nothing_was_held_against_is_not_said_to_hold(open_page, broken_page):
+    look = open_page(broken_page).fixture(suites.WRONG_SIZE)
+    assert look.text("[data-metric=max_abs] td:nth-child(3)") == "≤ 9"
+    assert look.text("[data-metric=max_abs] td:nth-child(2)") == "–"
+
+
 def test_findings_are_said_in_full(open_page, broken_page):
     for name in (suites.DIFFERS, suites.REFUSED, suites.EXPECTATION, suites.WRONG_SIZE, suites.TAMPERED):
         look = open_page(broken_page).fixture(name)

@@ -87,6 +87,18 @@ def test_a_link_that_is_none_shows_everything(look, hash):
     assert len(look.names()) == expected
 
 
+def test_pictures_are_shown_whole(look):
+    look.page.wait_for_function("() => document.querySelectorAll('.frame img').length === 14")
+    look.page.wait_for_function(
+        "() => [...document.querySelectorAll('.frame img')].every((img) => img.complete)"
+    )
+    for frame in look.page.locator(".frame").all():
+        inside, outside = frame.locator("img").bounding_box(), frame.bounding_box()
+        for start, size in (("x", "width"), ("y", "height")):
+            assert inside[start] >= outside[start] - 0.5
+            assert inside[start] + inside[size] <= outside[start] + outside[size] + 0.5
+
+
 def test_no_result_is_said(look, shoot):
     look.page.fill("#filter-text", "no such name")
     assert look.text(".empty") == "No fixture is as these filters ask."

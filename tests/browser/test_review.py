@@ -219,6 +219,15 @@ def test_another_tab_hears_of_it(review, open_page):
     progress(other, "1 of 10 decided")
 
 
+def test_keys_decide_nothing_where_there_is_nothing(review):
+    before = goldens(review.server.root)
+    review.press("a", "u")
+    review.go("#/fixture/no/such")
+    review.press("a", "r", "x", "j")
+    assert review.text("h1") == "No such fixture"
+    assert goldens(review.server.root) == before
+
+
 def test_the_keys_of_a_review_are_listed(review):
     review.press("?")
     assert "accept" in review.text("#keys") and "reject" in review.text("#keys")

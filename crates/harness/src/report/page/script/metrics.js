@@ -27,12 +27,14 @@ function metricsSection(fixture) {
 function metricRow(metric, fixture) {
   const limits = fixture.limits.filter((limit) => limit.metric === metric.name);
   const isBroken = limits.some((limit) => limit.broken);
-  const unit = metric.unit === "1" ? null : element("span", { class: "unit" }, ` ${metric.unit}`);
+  const value = fixture[metric.name] ?? null;
+  const hasUnit = value !== null && metric.unit !== "1";
+  const unit = hasUnit ? element("span", { class: "unit" }, ` ${metric.unit}`) : null;
   return element(
     "tr",
     { class: isBroken ? "is-broken" : null, "data-metric": metric.name },
     element("th", { scope: "row" }, metricName(metric)),
-    element("td", {}, metricValue(fixture[metric.name]), unit),
+    element("td", {}, metricValue(value), unit),
     element("td", {}, limits.map(limitWords)),
   );
 }
@@ -60,15 +62,16 @@ function isHigherBetter(metric) {
   return /higher/i.test(metric.direction);
 }
 
-function limitWords({ limit, at_least, accepted, broken }) {
+// What is accepted, and whether it holds, where there was something to compare.
+function limitWords({ limit, at_least, accepted, found, broken }) {
+  const bound = `${at_least ? "≥" : "≤"} ${metricValue(accepted)}`;
+  const word = broken ? "broken" : "held";
+  if (found === null && !broken) return element("div", { class: "limit", title: limit }, bound);
   return element(
     "div",
-    {
-      class: broken ? "limit broken" : "limit held",
-      title: `${limit}: ${broken ? "broken" : "held"}`,
-    },
-    `${at_least ? "≥" : "≤"} ${metricValue(accepted)} `,
+    { class: `limit ${word}`, title: `${limit}: ${word}` },
+    `${bound} `,
     element("span", { "aria-hidden": "true" }, broken ? "✗" : "✓"),
-    unseen(`, the limit ${limit} is ${broken ? "broken" : "held"}`),
+    unseen(`, the limit ${limit} is ${word}`),
   );
 }

@@ -213,7 +213,8 @@ class Viewer {
     const panes = this.shown?.panes ?? [];
     if (panes.length === 0 || !this.stage.isConnected) return;
     const { width, height } = this.viewport;
-    const isRow = width / height <= WIDE_ASPECT && this.stage.clientWidth >= LEAST_COLUMN_PX * panes.length;
+    const isRow =
+      width / height <= WIDE_ASPECT && this.stage.clientWidth >= LEAST_COLUMN_PX * panes.length;
     const columns = isRow ? panes.length : 1;
     const room = window.innerHeight * (columns < panes.length ? STACKED_SHARE : PANE_SHARE);
     this.stage.style.setProperty("--columns", String(columns));

@@ -8,15 +8,21 @@ const GOLDEN_ANGLE_DEG = 137.508;
 const COVER = 0.6;
 const FAINT_COVER = 0.12;
 
+// Bright and strong enough to be told apart over gray.
+const LIGHTNESS = 0.6;
+const SATURATION = 0.7;
+
 // The color of object `id`, which is 1 or more; the background has none.
+//
+// Source: CSS Color Module Level 4, section 7.1, HSL to sRGB.
 function objectColor(id) {
   const hue = (id * GOLDEN_ANGLE_DEG) % 360;
-  const channel = (n) => {
-    // Source: Smith, "Color gamut transform pairs" (1978), for a lightness of 0.6 and a saturation of 0.7.
+  const a = SATURATION * Math.min(LIGHTNESS, 1 - LIGHTNESS);
+  const f = (n) => {
     const k = (n + hue / 30) % 12;
-    return Math.round(255 * (0.6 - 0.28 * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
+    return Math.round(255 * (LIGHTNESS - a * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
   };
-  return [channel(0), channel(8), channel(4)];
+  return [f(0), f(8), f(4)];
 }
 
 function objectWords(places, id) {
