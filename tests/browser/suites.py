@@ -29,6 +29,7 @@ ODD = """odd/it's "100 %" <b>&amp;ünï #1?"""
 LONG = "odd/" + "averylongnamewithoutabreak" * 8
 ONE_PIXEL = "odd/one-pixel"
 WIDE = "odd/wide"
+LARGE = "odd/large"
 
 # Where the golden of DIFFERS is changed, rows by columns: a patch by much, a
 # band by little, a pixel by one code, and one in blue alone.
@@ -126,6 +127,10 @@ def change_temple(picture):
     picture[BLUE_PIXEL] += (0, 0, 9)
 
 
+def change_one(picture):
+    picture[PIXEL] += (9, 0, 0)
+
+
 def lighten(picture):
     picture += 1
 
@@ -188,7 +193,13 @@ def odd(root, goldray):
     write(root, LONG, SMALL_SCENE.format(size="(40, 30)", check=""))
     write(root, ONE_PIXEL, SMALL_SCENE.format(size="(1, 1)", check=""))
     write(root, WIDE, SMALL_SCENE.format(size="(4096, 16)", check=""))
-    goldray.run(root, "bless", ONE_PIXEL, WIDE)
+    write(
+        root,
+        LARGE,
+        SMALL_SCENE.format(size="(1600, 1200)", check='check: (large: "it is larger than a pane")'),
+    )
+    goldray.run(root, "bless", ONE_PIXEL, WIDE, LARGE)
+    change_golden(root, LARGE, change_one)
     change_golden(root, ONE_PIXEL, lighten)
     every_code(golden_path(root, WIDE))
 

@@ -122,7 +122,7 @@ def test_an_empty_suite_is_said(open_page, empty_page, axe, shoot):
 
 def test_names_are_text(open_page, odd_page):
     look = open_page(odd_page).go()
-    assert set(look.names()) == {suites.ODD, suites.LONG, suites.ONE_PIXEL, suites.WIDE}
+    assert set(look.names()) == {suites.ODD, suites.LONG, suites.ONE_PIXEL, suites.WIDE, suites.LARGE}
     assert look.page.locator("main b b, .card b").count() == 0
     look.page.click(".card:has(.name:has-text('100 %')) a")
     look.page.wait_for_selector(".viewer")

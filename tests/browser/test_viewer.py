@@ -72,6 +72,16 @@ def test_threshold_marks_and_counts(temple, threshold):
     assert (marked == over).all()
 
 
+def test_a_single_mark_is_seen_in_a_picture_larger_than_the_screen(open_page, odd_page):
+    look = open_page(odd_page).fixture(suites.LARGE, "threshold")
+    assert look.scale() < 0.6 and look.text(".controls output").startswith("> 0: 1 pixel ")
+    red, green, blue = numpy.moveaxis(look.drawn(), 2, 0)
+    assert (red - green).max() > 100
+    assert ((red - green) > 20).sum() < 10
+    look.slide(9)
+    assert (numpy.ptp(look.drawn(), axis=2) < 60).all(), "gray, but for the stage"
+
+
 def test_the_threshold_agrees_with_the_report(temple):
     fixture = next(one for one in temple.report()["fixtures"] if one["name"] == suites.DIFFERS)
     temple.press("7")

@@ -9,12 +9,37 @@ function countOver(differences, threshold) {
   return differences.reduce((sum, value) => sum + Number(value > threshold), 0);
 }
 
-function thresholdLayer(actual, differences, threshold) {
+function thresholdLayer(actual, marks) {
   return makeLayer(actual.width, actual.height, (i) => {
-    if (differences[i] > threshold) return MARK_COLOR;
+    if (marks[i]) return MARK_COLOR;
     const gray = DIM * brightness(actual.data, i);
     return [gray, gray, gray];
   });
+}
+
+// What is over the threshold, each pixel grown to the right and downwards by so
+// many.
+function marksOver(differences, threshold, width, growth) {
+  const over = differences.map((value) => Number(value > threshold));
+  return growth === 0 ? over : grown(grown(over, 1, width, growth), width, Infinity, growth);
+}
+
+// Each mark also on the next `growth` pixels, `step` apart, as far as its row
+// of `length` goes.
+function grown(marks, step, length, growth) {
+  const found = marks.slice();
+  for (let i = 0; i < marks.length; i++) {
+    if (!marks[i]) continue;
+    const room = Math.min(growth, length - 1 - (i % length));
+    for (let n = 1; n <= room && i + n * step < marks.length; n++) found[i + n * step] = 1;
+  }
+  return found;
+}
+
+// By how much a mark must grow to be a pixel of the screen: one that is lost
+// among others would be one that nobody sees.
+function growthAt(scale) {
+  return scale < 1 ? Math.ceil(1 / scale) - 1 : 0;
 }
 
 const THRESHOLD_VIEW = {
@@ -25,14 +50,23 @@ const THRESHOLD_VIEW = {
   open(stage) {
     const { actual } = stage.pictures;
     const differences = stage.differences();
-    let layer = thresholdLayer(actual, differences, 0);
-    const pane = makePane("Over the threshold", actual, (draw) => draw(layer));
-    const words = (threshold) => {
-      const over = countOver(differences, threshold);
-      return `> ${threshold}: ${plural(over, "pixel", "pixels")} (${percent(over / differences.length)})`;
+    let threshold = 0;
+    let made = {};
+    const layerNow = () => {
+      const growth = growthAt(stage.viewport.scale);
+      if (made.threshold !== threshold || made.growth !== growth) {
+        const marks = marksOver(differences, threshold, actual.width, growth);
+        made = { threshold, growth, layer: thresholdLayer(actual, marks) };
+      }
+      return made.layer;
     };
-    const slider = makeSlider("Differs by", 0, 255, 0, words, (threshold) => {
-      layer = thresholdLayer(actual, differences, threshold);
+    const pane = makePane("Over the threshold", actual, (draw) => draw(layerNow()));
+    const words = (value) => {
+      const over = countOver(differences, value);
+      return `> ${value}: ${plural(over, "pixel", "pixels")} (${percent(over / differences.length)})`;
+    };
+    const slider = makeSlider("Differs by", 0, 255, 0, words, (value) => {
+      threshold = value;
       stage.redraw();
     });
     return { panes: [pane], controls: slider };
