@@ -38,6 +38,9 @@ BAND = (slice(96, 104), slice(20, 140))
 PIXEL = (3, 5)
 BLUE_PIXEL = (110, 7)
 
+# In a picture larger than a screen.
+LAST_OF_A_ROW = (700, 1599)
+
 
 class Goldray:
     """The program under test."""
@@ -127,8 +130,9 @@ def change_temple(picture):
     picture[BLUE_PIXEL] += (0, 0, 9)
 
 
-def change_one(picture):
+def change_two(picture):
     picture[PIXEL] += (9, 0, 0)
+    picture[LAST_OF_A_ROW] += (9, 0, 0)
 
 
 def lighten(picture):
@@ -199,7 +203,7 @@ def odd(root, goldray):
         SMALL_SCENE.format(size="(1600, 1200)", check='check: (large: "it is larger than a pane")'),
     )
     goldray.run(root, "bless", ONE_PIXEL, WIDE, LARGE)
-    change_golden(root, LARGE, change_one)
+    change_golden(root, LARGE, change_two)
     change_golden(root, ONE_PIXEL, lighten)
     every_code(golden_path(root, WIDE))
 

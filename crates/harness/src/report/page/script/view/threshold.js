@@ -17,21 +17,23 @@ function thresholdLayer(actual, marks) {
   });
 }
 
-// What is over the threshold, each pixel grown to the right and downwards by so
-// many.
+// What is over the threshold, each pixel grown by so many to every side.
 function marksOver(differences, threshold, width, growth) {
   const over = differences.map((value) => Number(value > threshold));
-  return growth === 0 ? over : grown(grown(over, 1, width, growth), width, Infinity, growth);
+  return growth === 0 ? over : grown(grown(over, 1, width, growth), width, over.length, growth);
 }
 
-// Each mark also on the next `growth` pixels, `step` apart, as far as its row
-// of `length` goes.
+// Each mark also on `growth` pixels before and behind it, `step` apart, within
+// its stretch of `length`.
 function grown(marks, step, length, growth) {
   const found = marks.slice();
   for (let i = 0; i < marks.length; i++) {
     if (!marks[i]) continue;
-    const room = Math.min(growth, length - 1 - (i % length));
-    for (let n = 1; n <= room && i + n * step < marks.length; n++) found[i + n * step] = 1;
+    const start = i - (i % length);
+    for (let n = -growth; n <= growth; n++) {
+      const at = i + n * step;
+      if (start <= at && at < start + length) found[at] = 1;
+    }
   }
   return found;
 }
@@ -39,7 +41,7 @@ function grown(marks, step, length, growth) {
 // By how much a mark must grow to be a pixel of the screen: one that is lost
 // among others would be one that nobody sees.
 function growthAt(scale) {
-  return scale < 1 ? Math.ceil(1 / scale) - 1 : 0;
+  return scale < 1 ? Math.ceil(1 / (2 * scale)) : 0;
 }
 
 const THRESHOLD_VIEW = {
