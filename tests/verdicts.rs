@@ -5,10 +5,11 @@ use conformance::{SQUARE, Scratch};
 use harness::bless::Blessed;
 use harness::encode::EncodedImage;
 use harness::golden::{from_png, to_png};
+use harness::steady::judge_repeatedly;
 use harness::store;
 use harness::suite::Selection;
 use harness::verdict::Outcome;
-use tracer::Size;
+use tracer::{LinearImage, Rgb, Size};
 
 /// One blessed fixture, `a`, after some damage: the verdicts of all names.
 fn after(damage: impl FnOnce(&Scratch)) -> Vec<(String, &'static str)> {
@@ -106,6 +107,27 @@ fn a_cropped_golden_without_a_note_has_the_wrong_size_too() {
         scratch.set_golden("a", &to_png(&cropped, None).unwrap());
     };
     check(crop, "wrong_size");
+}
+
+#[test]
+fn a_picture_that_comes_out_otherwise_is_unsteady() {
+    let scratch = Scratch::blessed(&[("a", SQUARE)]);
+    for (bit, verdict) in [(None, "match"), (Some(0), "unsteady"), (Some(63), "unsteady")] {
+        let judged = judge_repeatedly(scratch.suite(), "a", 3, &mut |fixture| {
+            let mut picture = fixture.render_again()?;
+            let pixels = picture.linear.pixels().iter().enumerate().map(|(i, color)| {
+                let [r, g, b] = color.channels();
+                // The last pixel's blue in another bit, which no code shows.
+                let flip = bit.filter(|_| i == 16 * 12 - 1).map_or(0, |bit| 1_u64 << bit);
+                Rgb::new(r, g, f64::from_bits(b.to_bits() ^ flip))
+            });
+            let pixels = pixels.collect();
+            picture.linear = LinearImage::from_pixels(picture.linear.size(), pixels).unwrap();
+            Ok(picture)
+        });
+        assert_eq!(judged.judgment.verdict.id(), verdict, "{:?}", judged.judgment.findings);
+        assert!(verdict == "match" || !judged.judgment.verdict.can_be_blessed());
+    }
 }
 
 #[test]

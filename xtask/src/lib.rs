@@ -6,6 +6,7 @@ pub mod interrupt;
 pub mod look;
 pub mod progress;
 pub mod rebuild;
+pub mod say;
 pub mod serve;
 pub mod terminal;
 

@@ -4,42 +4,88 @@
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::time::Instant;
 
+use harness::last_failed;
 use harness::recheck::{Rechecked, recheck};
-use harness::report::{Reader, outcome_line, summarize};
+use harness::report::{Reader, summarize};
 use harness::run;
-use harness::suite::Suite;
-use harness::verdict::{Origin, Outcome, Verdict};
+use harness::steady::run_repeatedly;
+use harness::store::StoreError;
+use harness::suite::{Selection, Suite};
+use harness::verdict::Outcome;
 
 use crate::CannotAsk;
 use crate::progress::Progress;
+use crate::say::Say;
+
+/// Which fixtures are judged, and how.
+#[derive(Debug, Clone, Copy)]
+pub struct Ask<'a> {
+    /// Which fixtures; all if none is given.
+    pub filters: &'a [String],
+    /// Of those, only what was no match when it was last judged.
+    pub last_failed: bool,
+    /// Whether renders are left out or repeated.
+    pub how: How,
+}
+
+/// How often a fixture is rendered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum How {
+    /// Not again if nothing changed since its last match; once where `CI` is set.
+    Recheck,
+    /// Once.
+    Once,
+    /// So often, and it must be the same picture each time.
+    Repeatedly(u32),
+}
 
 /// What was judged.
 #[derive(Debug)]
 pub struct Looked {
-    /// The outcomes, and whether the record of matches could be kept.
-    pub rechecked: Rechecked,
+    rechecked: Rechecked,
     /// How long it took, in milliseconds.
     pub elapsed_ms: f64,
+    how: How,
+    /// Why it could not be kept what failed. No outcome follows from that.
+    unkept_failures: Option<StoreError>,
 }
 
-/// Judges what the filters select, without rendering again what is unchanged
-/// since its last match unless `no_cache`.
+/// Judges what is asked for.
 ///
 /// # Errors
 /// Filters that select nothing, and artifacts that cannot be written.
-pub fn look(suite: &Suite, filters: &[String], no_cache: bool) -> Result<Looked, CannotAsk> {
+pub fn look(suite: &Suite, ask: &Ask<'_>, say: &Say) -> Result<Looked, CannotAsk> {
     let started = Instant::now();
-    let selection = suite.select(filters)?;
-    let progress = Progress::start("checking", selection.fixtures.len() + selection.orphans.len());
+    let mut selection = suite.select(ask.filters)?;
+    if ask.last_failed {
+        selection = last_failed::select(suite, &selection)?;
+    }
+    let rechecked = judge(suite, &selection, ask.how, say)?;
+    let elapsed_ms = started.elapsed().as_secs_f64() * 1e3;
+    let is_all = ask.filters.is_empty() && !ask.last_failed;
+    let unkept_failures = last_failed::keep(suite, &rechecked.outcomes, is_all).err();
+    Ok(Looked { rechecked, elapsed_ms, how: ask.how, unkept_failures })
+}
+
+fn judge(
+    suite: &Suite,
+    selection: &Selection,
+    how: How,
+    say: &Say,
+) -> Result<Rechecked, StoreError> {
+    let total = selection.fixtures.len() + selection.orphans.len();
+    let progress = if say.quiet { Progress::silent() } else { Progress::start("checking", total) };
     let advance = |outcome: &Outcome| progress.advance(&outcome.name);
+    let every = |outcomes| Rechecked { outcomes, unkept: None };
     // A build server has time, and its record would be one that nobody made.
-    let rechecked = if no_cache || std::env::var_os("CI").is_some() {
-        Rechecked { outcomes: run::run(suite, &selection, &advance)?, unkept: None }
-    } else {
-        recheck(suite, &selection, random(), &advance)?
+    let is_server = std::env::var_os("CI").is_some();
+    let judged = match how {
+        How::Repeatedly(times) => run_repeatedly(suite, selection, times, &advance).map(every),
+        How::Recheck if !is_server => recheck(suite, selection, random(), &advance),
+        How::Recheck | How::Once => run::run(suite, selection, &advance).map(every),
     };
     progress.finish();
-    Ok(Looked { rechecked, elapsed_ms: started.elapsed().as_secs_f64() * 1e3 })
+    judged
 }
 
 impl Looked {
@@ -53,43 +99,32 @@ impl Looked {
         summarize(self.outcomes()).is_green()
     }
 
-    /// Prints a line for each that is no match, and the summary.
-    pub fn say(&self, reader: &Reader) {
-        let failing = self.outcomes().iter().filter(|outcome| outcome.verdict != Verdict::Match);
-        for outcome in failing {
-            println!("{}", outcome_line(outcome, reader));
+    /// Prints a line for each that is to be seen, and the summary.
+    pub fn say(&self, suite: &Suite, say: &Say, reader: &Reader) {
+        say.outcomes(self.outcomes(), reader);
+        // What is rendered often is not slow by one picture.
+        if !matches!(self.how, How::Repeatedly(_)) {
+            say.slow(suite, self.outcomes(), reader);
         }
-        self.say_summary();
+        self.say_summary(say);
     }
 
     /// Prints how many there are of each verdict.
-    pub fn say_summary(&self) {
+    pub fn say_summary(&self, say: &Say) {
         let Rechecked { outcomes, unkept } = &self.rechecked;
-        say_audited(outcomes);
+        say.audited(outcomes);
         let summary = summarize(outcomes);
         if summary.belied > 0 && unkept.is_none() {
             println!("{} was wrong: it is removed, and everything was rendered", Suite::RECORD);
         }
-        println!("{summary} ({:.2} s)", self.elapsed_ms / 1e3);
+        say.summary(&summary, self.elapsed_ms / 1e3);
         if let Some(why) = unkept {
             println!("the record of matches could not be kept: {why}");
         }
+        if let Some(why) = &self.unkept_failures {
+            println!("what failed could not be kept for --last-failed: {why}");
+        }
     }
-}
-
-/// Which fixtures were rendered although nothing had changed for them.
-fn say_audited(outcomes: &[Outcome]) {
-    const SHOWN: usize = 8;
-    let is_audited = |o: &&Outcome| matches!(o.origin, Origin::Audited | Origin::Belied);
-    let names: Vec<_> = outcomes.iter().filter(is_audited).map(|o| o.name.as_str()).collect();
-    if names.is_empty() {
-        return;
-    }
-    let more = match names.len().saturating_sub(SHOWN) {
-        0 => String::new(),
-        more => format!(" and {more} more, see --json"),
-    };
-    println!("audited: {}{more}", names[..names.len().min(SHOWN)].join(", "));
 }
 
 /// Another number each time, from the randomness of the system that the

@@ -9,7 +9,7 @@ mod verb;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use xtask::{Here, end_where_nothing_can_be_printed, exit_code};
 
 /// Render fixture scenes and judge them against their golden images.
@@ -58,9 +58,10 @@ enum Verb {
     /// Draw all goldens on one sheet
     ContactSheet(verb::contact_sheet::Args),
     /// Make the meshes that the fixtures use
+    #[command(after_help = verb::meshes::EXAMPLES)]
     Meshes,
     /// Measure on this machine
-    #[command(subcommand)]
+    #[command(subcommand, after_help = verb::bench::EXAMPLES)]
     Bench(verb::bench::Bench),
     /// Print or check the bits of every picture, which no target may change
     Digest(verb::digest::Args),
@@ -76,6 +77,8 @@ enum Verb {
     /// Hold the tracer's answers against the exact oracle
     #[command(disable_help_flag = true)]
     Stress(verb::elsewhere::Passed),
+    /// Print what a shell needs to complete command lines
+    Completions(verb::completions::Args),
 }
 
 fn main() -> ExitCode {
@@ -101,6 +104,27 @@ fn main() -> ExitCode {
         Verb::Lint(args) => verb::lint::run(&here, &args),
         Verb::Calibrate(args) => verb::calibrate::run(&here, &args),
         Verb::Stress(args) => verb::elsewhere::stress(&here, &["stress"], &args),
+        Verb::Completions(args) => Ok(verb::completions::run(Cli::command(), &args)),
     };
     exit_code(answer)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Asks it of every verb that is not another program's.
+    fn check(command: &clap::Command, path: &str) {
+        let path = format!("{path} {}", command.get_name());
+        let help = command.clone().render_long_help().to_string();
+        assert!(help.contains("\nExamples:\n  "), "{path} --help has no examples:\n{help}");
+        let verbs = command.get_subcommands().filter(|verb| !verb.is_disable_help_flag_set());
+        verbs.filter(|verb| verb.get_name() != "help").for_each(|verb| check(verb, &path));
+    }
+
+    #[test]
+    fn the_help_of_every_verb_has_examples() {
+        Cli::command().debug_assert();
+        check(&Cli::command(), "");
+    }
 }

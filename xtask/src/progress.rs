@@ -25,6 +25,11 @@ impl Progress {
         Self(bar)
     }
 
+    /// Counts for nobody.
+    pub fn silent() -> Self {
+        Self(ProgressBar::hidden())
+    }
+
     /// Starts counting to nobody knows where.
     pub fn counting(doing: &'static str) -> Self {
         let bar = bar(0, "{prefix} {pos} {wide_msg}");

@@ -44,6 +44,7 @@ fn help_of_every_verb() {
         "sensitivity",
         "lint",
         "calibrate",
+        "completions",
     ];
     let all = verbs.map(|verb| format!("==== {verb} ====\n{}", help(verb))).join("\n");
     insta::assert_snapshot!(all);

@@ -15,6 +15,7 @@ use crate::encode::{Transfer, encode};
 use crate::expectation::Rendered;
 use crate::golden::Provenance;
 use crate::hash::{self, content_hash};
+use crate::lfs::pointer_problem;
 use crate::store::{self, FolderAssets};
 
 /// A fixture without problems.
@@ -67,6 +68,9 @@ impl Fixture {
         let bytes = store::read(path, MAX_SCENE_BYTES as u64)
             .map_err(|error| format!("{name}: {}\n", error.what))?
             .ok_or_else(|| format!("{name}: there is no such file\n"))?;
+        if let Some(problem) = pointer_problem(&bytes, "fixture") {
+            return Err(format!("{name}: {problem}\n"));
+        }
         String::from_utf8(bytes).map_err(|error| {
             let at = error.utf8_error().valid_up_to();
             format!("{name}: expected UTF-8 text, found another byte at offset {at}\n")
@@ -170,6 +174,14 @@ impl Fixture {
     /// A picture with a NaN in it is refused.
     pub fn render(&self) -> Result<Rendered, String> {
         self.encoded(self.render_linear())
+    }
+
+    /// The picture, made anew from what was written: the accelerators as well.
+    ///
+    /// # Errors
+    /// A picture with a NaN in it is refused.
+    pub fn render_again(&self) -> Result<Rendered, String> {
+        self.with_file(self.file.clone())?.render()
     }
 
     /// The linear picture with its 8-bit one.

@@ -12,6 +12,7 @@ use tracer::{Scene, Size};
 
 use crate::digest;
 use crate::encode::EncodedImage;
+use crate::lfs::pointer_problem;
 use layout::Layout;
 
 /// The keyword of the PNG text chunk that holds the provenance.
@@ -164,8 +165,8 @@ pub fn smallest_png(picture: &EncodedImage, provenance: &Provenance) -> Result<V
 /// or partly transparent, none of which can be compared without losing
 /// something.
 pub fn from_png(bytes: &[u8]) -> Result<Golden, String> {
-    if bytes.starts_with(b"version https://git-lfs") {
-        return Err("is a Git LFS pointer, not the picture: run `git lfs pull`".to_owned());
+    if let Some(problem) = pointer_problem(bytes, "picture") {
+        return Err(problem);
     }
     check_chunks(bytes)?;
     let damaged = |error: png::DecodingError| format!("is not a readable PNG: {error}");

@@ -6,6 +6,7 @@ use crate::encode::EncodedImage;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden::{self, Golden, Provenance};
+use crate::lfs::is_of_pointer;
 use crate::limits::Limits;
 use crate::metric::{Comparison, compare};
 use crate::store::StoreError;
@@ -100,6 +101,17 @@ impl Judgment {
         self.broken_relations = broken;
         self
     }
+
+    /// The same with how renders of the fixture differ, if they do: that is the
+    /// verdict then, as no other can be trusted.
+    #[must_use]
+    pub fn with_steadiness(mut self, difference: Option<String>) -> Self {
+        if let Some(difference) = difference {
+            self.verdict = Verdict::Unsteady;
+            self.findings.insert(0, difference);
+        }
+        self
+    }
 }
 
 /// Whether a picture in a golden's place is not within these limits: what
@@ -123,9 +135,18 @@ fn file_size_problem(fixture: &Fixture, found: &Found) -> Option<String> {
     fixture.check.file_size_problem(golden.file_bytes)
 }
 
+/// Why a golden must not be replaced: nobody here has looked at it. A newer
+/// goldray accepted it, or Git LFS has not fetched it.
+pub fn keeps(found: &Found) -> Option<String> {
+    match found {
+        Found::Unreadable(why) if is_of_pointer(why) => Some(format!("the golden {why}")),
+        found => later_note(found),
+    }
+}
+
 /// What is said of a golden that a newer goldray accepted: no verb of this one
 /// settles it, and `bless` would throw away what was accepted.
-pub fn later_note(found: &Found) -> Option<String> {
+fn later_note(found: &Found) -> Option<String> {
     let Found::Golden(Golden { provenance: Some(note), .. }) = found else { return None };
     note.is_later().then(|| {
         format!(

@@ -7,6 +7,7 @@ use tracer::{LinearImage, Rgb, Size};
 
 use crate::encode::{EncodedImage, Transfer, encode};
 use crate::golden;
+use crate::lfs::pointer_problem;
 
 /// A picture read from a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +30,8 @@ impl PictureFile {
             return Ok(Self::Encoded(golden::from_png(bytes)?.picture));
         }
         if !bytes.starts_with(EXR) {
-            return Err("is neither a PNG nor an EXR file".to_owned());
+            let problem = pointer_problem(bytes, "picture");
+            return Err(problem.unwrap_or_else(|| "is neither a PNG nor an EXR file".to_owned()));
         }
         let mut reader = image::ImageReader::with_format(Cursor::new(bytes), ImageFormat::OpenExr);
         reader.limits(image::Limits::default());

@@ -12,9 +12,10 @@ use crate::expectation::Rendered;
 use crate::fixture::Fixture;
 use crate::golden;
 use crate::hash::content_hash;
-use crate::judge::{Found, Judgment, judge};
+use crate::judge::{Found, Judgment, judge, keeps};
 use crate::metric::Comparison;
 use crate::picture::strip;
+use crate::place;
 use crate::record::Record;
 use crate::relation;
 use crate::store::{self, StoreError};
@@ -38,9 +39,19 @@ pub fn run(
     selection: &Selection,
     on_outcome: &(dyn Fn(&Outcome) + Sync),
 ) -> Result<Vec<Outcome>, StoreError> {
+    run_by(suite, selection, &judge_fixture, on_outcome)
+}
+
+/// The same with another way to judge a fixture.
+pub(crate) fn run_by(
+    suite: &Suite,
+    selection: &Selection,
+    judge: &(dyn Fn(&Suite, &str) -> Judged + Sync),
+    on_outcome: &(dyn Fn(&Outcome) + Sync),
+) -> Result<Vec<Outcome>, StoreError> {
     store::empty_artifacts(&suite.artifacts())?;
     let judge_one = |name: &String| {
-        let outcome = run_fixture(suite, name)?;
+        let outcome = outcome(suite, name, judge(suite, name))?;
         on_outcome(&outcome);
         Ok(outcome)
     };
@@ -124,10 +135,6 @@ pub(crate) fn read_golden(path: &Path) -> Result<Option<Vec<u8>>, StoreError> {
     store::read(path, MAX_GOLDEN_BYTES)
 }
 
-fn run_fixture(suite: &Suite, name: &str) -> Result<Outcome, StoreError> {
-    outcome(suite, name, judge_fixture(suite, name))
-}
-
 /// What is said of a fixture, after a failure has left its strip.
 pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outcome, StoreError> {
     let Judged { rendered, found, judgment, render_ms, compare_ms, relate_ms, .. } = judged;
@@ -136,6 +143,10 @@ pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outco
             blame(fixture, golden, &picture.encoded)
         }
         _ => Vec::new(),
+    };
+    let place = match judgment.verdict {
+        Verdict::Match => None,
+        _ => place::of_failure(name, &rendered, &judgment, &blamed),
     };
     let is_golden = judgment.verdict == Verdict::Match
         && judgment.comparison.as_ref().is_some_and(Comparison::is_identical);
@@ -152,9 +163,10 @@ pub(crate) fn outcome(suite: &Suite, name: &str, judged: Judged) -> Result<Outco
         findings: judgment.findings,
         breaks_expectations: judgment.breaks_expectations,
         breaks_relations: !judgment.broken_relations.is_empty(),
-        has_later_golden: matches!(&found, Found::Golden(golden) if golden.is_later()),
+        keeps_golden: keeps(&found).is_some(),
         comparison: judgment.comparison,
         blamed,
+        place,
         evidence,
         size: picture.as_ref().map(|p| (p.size().width, p.size().height)),
         render_ms,

@@ -67,6 +67,11 @@ impl Suite {
         format!("fixtures/{name}.ron")
     }
 
+    /// A golden's file relative to the suite.
+    pub fn golden_label(name: &str) -> String {
+        format!("golden/{name}.png")
+    }
+
     /// The folder of the goldens.
     pub fn golden_folder(&self) -> PathBuf {
         self.root.join("golden")
@@ -88,6 +93,9 @@ impl Suite {
 
     /// The record of matches, relative to the suite.
     pub const RECORD: &str = "target/goldray-cache/matches.json";
+
+    /// The names of what was no match, relative to the suite.
+    pub const FAILED: &str = "target/goldray-cache/failed.json";
 
     /// The record of matches.
     pub fn record_path(&self) -> PathBuf {

@@ -16,6 +16,8 @@ pub enum Verdict {
     /// The picture is its golden and as expected, but not as like the picture
     /// of a related scene as the fixture says.
     RelationFailed,
+    /// Renders of the very same scene differ.
+    Unsteady,
     /// There is no golden.
     MissingGolden,
     /// There is a golden but no fixture.
@@ -38,11 +40,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, the good one first.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Match,
         Self::Differs,
         Self::ExpectationFailed,
         Self::RelationFailed,
+        Self::Unsteady,
         Self::MissingGolden,
         Self::OrphanGolden,
         Self::WrongSize,
@@ -60,6 +63,7 @@ impl Verdict {
             Self::Differs => "differs",
             Self::ExpectationFailed => "expectation_failed",
             Self::RelationFailed => "relation_failed",
+            Self::Unsteady => "unsteady",
             Self::MissingGolden => "missing_golden",
             Self::OrphanGolden => "orphan_golden",
             Self::WrongSize => "wrong_size",
@@ -120,13 +124,16 @@ pub struct Outcome {
     pub breaks_expectations: bool,
     /// Whether the picture breaks a relation of its fixture, likewise.
     pub breaks_relations: bool,
-    /// Whether a newer goldray accepted the golden, so that this one must not
-    /// replace it.
-    pub has_later_golden: bool,
+    /// Whether the golden must not be replaced, as nobody here has looked at it: a
+    /// newer goldray accepted it, or Git LFS has not fetched it.
+    pub keeps_golden: bool,
     /// The metrics, where picture and golden could be compared.
     pub comparison: Option<Comparison>,
     /// What the difference from the golden lies on, the most blamed first.
     pub blamed: Vec<Blamed>,
+    /// Line and column in the fixture's file, from 1, of what is to be looked at
+    /// first; `None` for a match and where the file does not say.
+    pub place: Option<(usize, usize)>,
     /// Width and height of the picture.
     pub size: Option<(u32, u32)>,
     /// How long reading and rendering took, in milliseconds.
@@ -152,9 +159,10 @@ impl Outcome {
             findings: Vec::new(),
             breaks_expectations: false,
             breaks_relations: false,
-            has_later_golden: false,
+            keeps_golden: false,
             comparison: None,
             blamed: Vec::new(),
+            place: None,
             size: None,
             render_ms: 0.0,
             compare_ms: 0.0,
@@ -172,9 +180,7 @@ impl Outcome {
         match self.verdict {
             Verdict::OrphanGolden => Some(format!("bless --prune {name}")),
             verdict
-                if verdict.can_be_blessed()
-                    && !self.breaks_its_word()
-                    && !self.has_later_golden =>
+                if verdict.can_be_blessed() && !self.breaks_its_word() && !self.keeps_golden =>
             {
                 Some(format!("bless {name}"))
             }

@@ -61,7 +61,12 @@ A fault is noticed if a fixture fails with it; the table says reached for fixtur
 place, and killed for those that notice. With every fixture and every fault, at least two
 fixtures must notice each, one of them by an expectation or a relation and not by its golden alone;
 and no other number than golden/faults.txt says.
-Exit codes: 0 all noticed, 1 one is not, or by fewer, 2 could not ask.";
+Exit codes: 0 all noticed, 1 one is not, or by fewer, 2 could not ask.
+
+Examples:
+  cargo xtask faults                            every fault by every fixture
+  cargo xtask faults --list                     what each does
+  cargo xtask faults torus --fault normal       some by some";
 
 fn main() -> ExitCode {
     end_where_nothing_can_be_printed();

@@ -42,8 +42,21 @@ pub(crate) enum Bench {
     Peers(Passed),
 }
 
+/// What the help of `bench` ends with.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cargo xtask bench peers               which other tracers are here
+  cargo xtask bench trace --help        the flags of one
+  cargo xtask bench skipping torus      what is saved by what is skipped";
+
+const SKIPPING_EXAMPLES: &str = "\
+Examples:
+  cargo xtask bench skipping                        every fixture
+  cargo xtask bench skipping torus --json s.json    some, also for machines";
+
 /// Flags of `bench skipping`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = SKIPPING_EXAMPLES)]
 pub(crate) struct SkippingArgs {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]

@@ -15,7 +15,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `bless`.
 #[derive(Debug, clap::Args)]
-#[command(arg_required_else_help = true)]
+#[command(arg_required_else_help = true, after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures
     #[arg(
@@ -40,6 +40,13 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["prune", "plan", "apply"])]
     repack: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask bless sphere/tangent         accept today's picture of one fixture
+  cargo xtask bless 'box/*' --plan p.json  write down what would be accepted, for review
+  cargo xtask bless --apply p.json         accept that, or nothing if anything moved since
+  cargo xtask bless --all --prune          accept all, and remove goldens without a fixture";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     by_hand("bless")?;

@@ -17,6 +17,7 @@ use super::elsewhere::{Program, status};
 
 /// Flags of `calibrate`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
@@ -31,6 +32,11 @@ pub(crate) struct Args {
     #[arg(long)]
     this_build: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask calibrate                 every way on this machine, both builds
+  cargo xtask calibrate torus --this-build --json c.json";
 
 /// What the other build writes, relative to the suite; not among what `check`
 /// leaves behind, as that is still of use.

@@ -13,6 +13,7 @@ use xtask::{Answer, CannotAsk};
 
 /// Flags of `compare`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// A PNG or EXR file
     golden: PathBuf,
@@ -25,6 +26,11 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value = "gamma22")]
     encoding: Encoding,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask compare golden/sphere/tangent.png a.png
+  cargo xtask compare before.exr after.exr --json";
 
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
 enum Encoding {

@@ -9,6 +9,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `contact-sheet`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures, on a sheet of their own; all if none is given
     #[arg(value_name = "FILTER", requires = "out")]
@@ -17,6 +18,11 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask contact-sheet                         redraws docs/contact-sheet.png
+  cargo xtask contact-sheet torus --out torus.png   a sheet of a few";
 
 pub(crate) fn run(here: &Here, Args { filters, out }: &Args) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;

@@ -9,6 +9,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `digest`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
@@ -20,6 +21,12 @@ pub(crate) struct Args {
     #[arg(long)]
     write: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask digest sphere             print the bits of some
+  cargo xtask digest --check            hold all against golden/digests.txt
+  cargo xtask digest --write            write that table anew";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     // As with goldens: a build server has not looked at why the bits changed.

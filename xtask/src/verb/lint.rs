@@ -10,6 +10,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `lint`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
@@ -21,6 +22,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "DEFECT=STRENGTH")]
     visible: Vec<String>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask lint                      every fixture
+  cargo xtask lint torus --json l.json  some, also for machines
+  cargo xtask lint --visible gain=2     with another idea of what people see";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let visible =

@@ -11,6 +11,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `list`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER", conflicts_with = "metrics")]
@@ -25,6 +26,12 @@ pub(crate) struct Args {
     #[arg(long)]
     json: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask list torus                fixtures with \"torus\" in their name
+  cargo xtask list --json               all, for machines
+  cargo xtask list --metrics            what is measured, and what each measure cannot see";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if args.markdown {

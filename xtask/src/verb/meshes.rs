@@ -5,6 +5,11 @@ use harness::store;
 
 use xtask::{Answer, CannotAsk, Here};
 
+/// What the help ends with.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cargo xtask meshes                    writes what fixtures/ has of meshes anew";
+
 pub(crate) fn run(here: &Here) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;
     for (path, bytes) in sample_meshes() {

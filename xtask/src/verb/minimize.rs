@@ -16,6 +16,7 @@ use super::reference::Reference;
 
 /// Flags of `minimize`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// The fixture, by its name or path
     #[arg(value_name = "NAME")]
@@ -28,6 +29,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "NAME")]
     out: Option<String>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask minimize mesh/large       while it breaks a relation
+  cargo xtask minimize mesh/large --reference ../before/target/release/xtask
+                                        while its picture is not that program's";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     // Writes a golden, if it is told what is right.

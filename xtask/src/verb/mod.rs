@@ -5,6 +5,7 @@ pub(crate) mod bless;
 pub(crate) mod calibrate;
 pub(crate) mod check;
 pub(crate) mod compare;
+pub(crate) mod completions;
 pub(crate) mod contact_sheet;
 pub(crate) mod digest;
 pub(crate) mod elsewhere;

@@ -7,10 +7,15 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `new`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// The fixture's name, such as `sphere/tangent`
     name: String,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask new torus/from-inside     writes fixtures/torus/from-inside.ron";
 
 pub(crate) fn run(here: &Here, Args { name }: &Args) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;

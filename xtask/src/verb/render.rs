@@ -13,6 +13,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `render`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// A scene file (*.ron) or a fixture's name
     scene: String,
@@ -42,6 +43,12 @@ pub(crate) struct Args {
     #[arg(long)]
     no_skip: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask render sphere/tangent --out a.png
+  cargo xtask render scene.ron --out a.exr --samples 64 --sampler sobol
+  cargo xtask render sphere/tangent --explain";
 
 pub(crate) fn run(
     here: &Here,

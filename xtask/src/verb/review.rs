@@ -14,13 +14,15 @@ use harness::suite::Suite;
 use super::bless::{by_hand, say_what_follows};
 use xtask::browser;
 use xtask::interrupt::Interrupt;
-use xtask::look::{Looked, look};
+use xtask::look::{Ask, How, Looked, look};
+use xtask::say::Say;
 use xtask::serve::{Site, serve};
 use xtask::terminal;
 use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `review`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = AFTER_HELP)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
@@ -34,7 +36,17 @@ pub(crate) struct Args {
     /// Render every fixture, also those that nothing changed for since they were last a match
     #[arg(long)]
     no_cache: bool,
+    #[command(flatten)]
+    say: Say,
 }
+
+const AFTER_HELP: &str = "\
+Exit codes: 0 all match or were accepted, 1 something was rejected or left, 2 could not ask.
+
+Examples:
+  cargo xtask review --open    judge every fixture and show a browser what does not match
+  cargo xtask review torus     those with \"torus\" in their name, at the address that is printed
+  cargo xtask review --tty     in the terminal, one after the other";
 
 /// How often it is looked whether somebody is still there.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
@@ -46,9 +58,9 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let Shown { looked, mut review, page } = show(&suite, args, &reader)?;
     // In the terminal, each is shown in its turn.
     if args.tty {
-        looked.say_summary();
+        looked.say_summary(&args.say);
     } else {
-        looked.say(&reader);
+        looked.say(&suite, &args.say, &reader);
     }
     if looked.is_green() {
         println!("there is nothing to review");
@@ -85,9 +97,11 @@ struct Shown {
 /// picture than the one that is accepted.
 fn show(suite: &Suite, args: &Args, reader: &Reader) -> Result<Shown, CannotAsk> {
     const MAX_LOOKS: usize = 5;
+    let how = if args.no_cache { How::Once } else { How::Recheck };
+    let ask = Ask { filters: &args.filters, last_failed: false, how };
     for _ in 0..MAX_LOOKS {
         let before = Stamps::of_suite(suite);
-        let looked = look(suite, &args.filters, args.no_cache)?;
+        let looked = look(suite, &ask, &args.say)?;
         let outcomes = looked.outcomes();
         let review = Review::new(suite, outcomes);
         let page = page::html(suite, outcomes, looked.elapsed_ms, Kind::Review, reader);

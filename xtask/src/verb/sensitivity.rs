@@ -14,6 +14,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `sensitivity`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
@@ -34,6 +35,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "DEFECT=STRENGTH")]
     visible: Vec<String>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask sensitivity torus                     the smallest damage that is caught
+  cargo xtask sensitivity --picture s.png           drawn, fixtures by defects
+  cargo xtask sensitivity --markdown docs/trust.md  rewrite the summary";
 
 /// What marks the summary in a file of Markdown.
 const MARK: &str = "sensitivity";

@@ -14,13 +14,15 @@ use harness::suite::Suite;
 
 use super::bless::by_hand;
 use xtask::interrupt::{Interrupt, end_at_once};
-use xtask::look::{Looked, look};
+use xtask::look::{Ask, How, Looked, look};
 use xtask::rebuild::{self, Built, become_program, build, repository};
+use xtask::say::Say;
 use xtask::serve::{Address, Site, Token, serve};
 use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `watch`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = AFTER_HELP)]
 pub(crate) struct Args {
     /// Which fixtures; all if none is given
     #[arg(value_name = "FILTER")]
@@ -28,7 +30,17 @@ pub(crate) struct Args {
     /// Print only, and serve no page
     #[arg(long)]
     no_serve: bool,
+    #[command(flatten)]
+    say: Say,
 }
+
+const AFTER_HELP: &str = "\
+Exit codes, after Ctrl-C: 0 all match or were accepted, 1 something does not, 2 could not ask.
+
+Examples:
+  cargo xtask watch                   check what is edited, and show it at the address that is printed
+  cargo xtask watch torus             those with \"torus\" in their name
+  cargo xtask watch --no-serve -q     print only, and little";
 
 /// How often files are looked at, at most.
 const LOOK_EVERY: Duration = Duration::from_millis(300);
@@ -198,7 +210,7 @@ impl Watch<'_> {
         self.said = Said::Nothing;
         match judged {
             Ok(Ok((looked, page, review))) => {
-                looked.say(&self.reader);
+                looked.say(&self.suite, &self.args.say, &self.reader);
                 // What was edited meanwhile is checked in a moment; until then,
                 // nothing is accepted that is not shown.
                 if Stamps::of_suite(&self.suite) == before {
@@ -214,7 +226,8 @@ impl Watch<'_> {
     }
 
     fn judge(&self) -> Result<(Looked, String, Review), CannotAsk> {
-        let looked = look(&self.suite, &self.args.filters, false)?;
+        let ask = Ask { filters: &self.args.filters, last_failed: false, how: How::Recheck };
+        let looked = look(&self.suite, &ask, &self.args.say)?;
         let outcomes = looked.outcomes();
         let review = Review::new(&self.suite, outcomes);
         let page = page::html(&self.suite, outcomes, looked.elapsed_ms, Kind::Watch, &self.reader);

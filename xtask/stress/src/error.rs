@@ -9,6 +9,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `bench error`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which families, by PRIMITIVE/FAMILY; all if none is given
     #[arg(value_name = "FILTER")]
@@ -23,6 +24,11 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask bench error               every kernel, in half a minute
+  cargo xtask bench error triangle      those of one primitive";
 
 pub(crate) fn run(
     here: &Here,

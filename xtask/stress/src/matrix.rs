@@ -13,6 +13,7 @@ use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `stress`.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
     /// Which families, by PRIMITIVE/FAMILY; all if none is given
     #[arg(value_name = "FILTER")]
@@ -34,6 +35,11 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask stress                    every family, in under a minute
+  cargo xtask stress torus              those with \"torus\" in their name";
 
 /// The year of the lecture.
 const SEED: u64 = 2011;

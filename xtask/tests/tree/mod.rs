@@ -77,7 +77,11 @@ impl Tree {
     /// The binary with these arguments, to be started.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
-        command.args(args).current_dir(self.0.path()).env_remove("CI");
+        command.args(args).current_dir(self.0.path());
+        // What a build server sets, which would change what is done.
+        for variable in ["CI", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "GITHUB_WORKSPACE"] {
+            command.env_remove(variable);
+        }
         command
     }
 }

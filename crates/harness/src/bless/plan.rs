@@ -1,5 +1,5 @@
 //! `Plan`: what was proposed, as a JSON file that people review before it is
-//! applied.
+//! applied; `docs/schemas/plan.schema.json` is its schema.
 
 use std::collections::BTreeSet;
 

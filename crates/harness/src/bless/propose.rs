@@ -8,10 +8,11 @@ use super::{Action, Step};
 use crate::blame::blame;
 use crate::golden;
 use crate::hash::content_hash;
-use crate::judge::{Found, broken_expectations, later_note};
+use crate::judge::{Found, broken_expectations, keeps};
 use crate::metric::Comparison;
 use crate::report;
 use crate::run::{Judged, judge_fixture, read_golden};
+use crate::steady;
 use crate::suite::{Selection, Suite};
 use crate::verdict::Verdict;
 
@@ -46,9 +47,10 @@ pub struct Change {
 
 /// Renders the selected fixtures and proposes the pictures that are not a
 /// match, and to remove selected goldens without a fixture if `prune`. A
-/// picture is refused that breaks an expectation of its fixture, whose file
-/// would be larger than a golden may be or whose golden a newer goldray wrote,
-/// and so is a fixture with problems.
+/// picture is refused that breaks an expectation of its fixture, that is another
+/// when it is rendered again, whose file would be larger than a golden may be or
+/// whose golden nobody here has looked at ([`keeps`]), and so is a fixture with
+/// problems.
 /// `on_done` hears of each name, from any thread.
 pub fn propose(
     suite: &Suite,
@@ -81,11 +83,14 @@ fn propose_fixture(suite: &Suite, name: &str) -> Result<Proposal, Vec<String>> {
     if judgment.verdict == Verdict::Match {
         return Ok(Proposal::Untouched);
     }
-    if let Some(why) = later_note(&found) {
+    if let Some(why) = keeps(&found) {
         return Err(vec![why]);
     }
     if let (Found::Unreadable(why), None) = (&found, &golden_hash) {
         return Err(vec![format!("what is in the golden's place {why}: remove it")]);
+    }
+    if let Some(why) = steady::difference(&picture, [fixture.render_again()]) {
+        return Err(vec![why]);
     }
     let png = golden::smallest_png(&picture.encoded, &fixture.provenance).map_err(|e| vec![e])?;
     if let Some(problem) = fixture.check.file_size_problem(png.len()) {

@@ -185,7 +185,12 @@ impl Relation {
     pub fn check(&self, fixture: &Fixture, picture: &LinearImage) -> Result<(), Broken> {
         let relation = self.inner();
         let held = relation.holds(&Today { fixture, picture });
-        held.map_err(|broken| broken.map(|why| format!("relation {}: {why}", relation.words())))
+        held.map_err(|broken| broken.map(|why| format!("{}: {why}", self.said())))
+    }
+
+    /// How what [`Relation::check`] says of it begins.
+    pub(crate) fn said(&self) -> String {
+        format!("relation {}", self.inner().words())
     }
 }
 

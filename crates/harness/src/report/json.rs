@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::text::summarize;
+use super::summary::summarize;
 use crate::blame::Blamed;
 use crate::metric::{Comparison, DIFFERENCE_STEPS, METRICS, Metric};
 use crate::verdict::{Origin, Outcome, Verdict};
@@ -10,13 +10,15 @@ use crate::verdict::{Origin, Outcome, Verdict};
 /// The version of both documents below.
 const SCHEMA: u32 = 1;
 
-/// A run: `{"schema":1,"summary":{...},"fixtures":[...]}`.
+/// A run: `{"schema":1,"summary":{...},"fixtures":[...]}`, by the schema
+/// `docs/schemas/check.schema.json`, to which `.ci/outputs` holds it.
 ///
 /// `summary` has `total`, `green`, `elapsed_ms`, a count for each verdict, zeros
 /// included, and `unchanged` (since their last match), `audited` (of those,
 /// rendered all the same), `belied` (of those, no match). A fixture has `name`,
 /// `verdict`, `findings`, `width`, `height`, `render_ms`, `compare_ms`,
-/// `relate_ms`, `strip`, `breaks_expectations`, `breaks_relations`, `blamed`,
+/// `relate_ms`, `strip`, `breaks_expectations`, `breaks_relations`, `line` and
+/// `column` (where in the fixture's file to look first), `blamed`,
 /// `command`, `cached` (not rendered, as nothing changed since its last match:
 /// it has no numbers), `audited` and every metric of [`comparison_json`]; what
 /// there is not is null. `blamed` has, the most blamed first, `object` (its
@@ -60,6 +62,8 @@ pub(super) fn fixture_json(outcome: &Outcome) -> Map<String, Value> {
     put("strip", json!(outcome.strip));
     put("breaks_expectations", json!(outcome.breaks_expectations));
     put("breaks_relations", json!(outcome.breaks_relations));
+    put("line", json!(outcome.place.map(|place| place.0)));
+    put("column", json!(outcome.place.map(|place| place.1)));
     put("blamed", blamed(&outcome.blamed));
     put("command", json!(outcome.remedy().map(|remedy| format!("cargo xtask {remedy}"))));
     put("cached", json!(outcome.origin == Origin::Unchanged));

@@ -1,12 +1,9 @@
 //! Outcomes as lines for people.
 
-use std::collections::BTreeMap;
-use std::fmt;
-
 use crate::blame::Blamed;
 use crate::metric::{Comparison, METRICS};
 use crate::suite::Suite;
-use crate::verdict::{Origin, Outcome, Verdict};
+use crate::verdict::{Origin, Outcome, Verdict, shell_word};
 
 /// Where a report is read: what to put into paths and commands so that they
 /// work there.
@@ -32,9 +29,10 @@ pub struct Reader {
 ///     findings: vec!["there is no golden".to_owned()],
 ///     breaks_expectations: false,
 ///     breaks_relations: false,
-///     has_later_golden: false,
+///     keeps_golden: false,
 ///     comparison: None,
 ///     blamed: vec![],
+///     place: None,
 ///     size: Some((64, 48)),
 ///     render_ms: 1.0,
 ///     compare_ms: 0.0,
@@ -50,23 +48,67 @@ pub struct Reader {
 /// );
 /// ```
 pub fn outcome_line(outcome: &Outcome, reader: &Reader) -> String {
+    // A refused fixture says itself where to look and what to do.
+    let hints = match outcome.verdict {
+        Verdict::RenderRefused => Vec::new(),
+        _ => hints(outcome, reader),
+    };
+    join(&brief_line(outcome, reader), &hints)
+}
+
+/// The same without where to look and what to do.
+pub fn brief_line(outcome: &Outcome, reader: &Reader) -> String {
     let head = format!("{:<19} {}", outcome.verdict.words(), outcome.name);
-    let parts = outcome_parts(outcome, reader);
     if outcome.verdict == Verdict::RenderRefused {
-        let details = parts.iter().map(|line| format!("    {line}\n"));
-        return format!("{head}\n{}", details.collect::<String>()).trim_end().to_owned();
+        let details = outcome.findings.iter().flat_map(|f| f.lines());
+        let details = details.map(|line| format!("\n    {line}"));
+        return std::iter::once(head).chain(details).collect::<String>().trim_end().to_owned();
     }
+    let parts = reasons(outcome, reader);
     if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
+}
+
+/// The same as [`outcome_line`] with how long it took, and for a match, how
+/// close it is.
+pub fn full_line(outcome: &Outcome, reader: &Reader) -> String {
+    let line = outcome_line(outcome, reader);
+    let identical = outcome.comparison.as_ref().is_some_and(Comparison::is_identical);
+    let mut parts = Vec::from_iter(identical.then(|| "identical".to_owned()));
+    match (outcome.origin, outcome.size) {
+        (Origin::Unchanged, _) => parts.push("unchanged since its last match".to_owned()),
+        (_, None) => {}
+        (_, Some((width, height))) => {
+            let Outcome { render_ms, compare_ms, relate_ms, .. } = outcome;
+            parts.push(format!(
+                "{width} x {height}, rendered in {render_ms:.1} ms, compared in {compare_ms:.1}, \
+                 relations in {relate_ms:.1}"
+            ));
+        }
+    }
+    join(&line, &parts)
+}
+
+fn join(line: &str, parts: &[String]) -> String {
+    match parts.join(" | ") {
+        more if more.is_empty() => line.to_owned(),
+        more if line.contains(": ") => format!("{line} | {more}"),
+        more => format!("{line}: {more}"),
+    }
 }
 
 /// What [`outcome_line`] says after the name, each part for itself: findings,
 /// numbers, what it lies on, where to look, what to do. Of a fixture with
 /// problems, the lines that say them.
 pub fn outcome_parts(outcome: &Outcome, reader: &Reader) -> Vec<String> {
-    let Outcome { name, verdict, findings, comparison, blamed, strip, .. } = outcome;
-    if *verdict == Verdict::RenderRefused {
-        return findings.iter().flat_map(|f| f.lines()).map(str::to_owned).collect();
+    if outcome.verdict == Verdict::RenderRefused {
+        return outcome.findings.iter().flat_map(|f| f.lines()).map(str::to_owned).collect();
     }
+    [reasons(outcome, reader), hints(outcome, reader)].concat()
+}
+
+/// Why, in as many parts as there are: findings, numbers, what is to blame.
+pub(super) fn reasons(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    let findings = &outcome.findings;
     let mut parts = Vec::new();
     if !findings.is_empty() {
         let more = match findings.len().saturating_sub(SHOWN) {
@@ -76,6 +118,14 @@ pub fn outcome_parts(outcome: &Outcome, reader: &Reader) -> Vec<String> {
         let shown = &findings[..findings.len().min(SHOWN)];
         parts.push(format!("{}{more}", shown.join("; ")));
     }
+    parts.extend(evidence(outcome, reader));
+    parts
+}
+
+/// The numbers that say most, and what is to blame.
+pub(super) fn evidence(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    let Outcome { name, comparison, blamed, .. } = outcome;
+    let mut parts = Vec::new();
     if let Some(comparison) = comparison.as_ref().filter(|c| !c.is_identical()) {
         parts.push(numbers(comparison));
     }
@@ -83,16 +133,48 @@ pub fn outcome_parts(outcome: &Outcome, reader: &Reader) -> Vec<String> {
         let shown = blamed.iter().take(SHOWN).map(|blamed| blame_words(name, blamed, reader));
         parts.push(format!("on {}", shown.collect::<Vec<_>>().join(", ")));
     }
-    if let Some(strip) = strip {
+    parts
+}
+
+/// Where to look and what to do.
+fn hints(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    let mut parts = Vec::new();
+    if let Some(strip) = &outcome.strip {
         parts.push(format!("see {}{strip}", reader.path_prefix));
     }
-    if let Some(remedy) = outcome.remedy() {
-        let flag = &reader.root_flag;
-        parts.push(format!("if meant: cargo xtask{flag} {remedy}"));
-    } else if outcome.breaks_its_word() {
-        parts.push("mend the scene, the tracer, or what the fixture expects".to_owned());
-    }
+    parts.extend(advice(outcome, reader));
     parts
+}
+
+/// What to do about it, where that is known.
+pub(super) fn advice(outcome: &Outcome, reader: &Reader) -> Option<String> {
+    if let Some(command) = command(outcome, reader) {
+        return Some(format!("if meant: {command}"));
+    }
+    if outcome.verdict == Verdict::Unsteady {
+        return Some("mend the tracer: the same scene must give the same bits".to_owned());
+    }
+    let breaks = outcome.breaks_its_word();
+    breaks.then(|| "mend the scene, the tracer, or what the fixture expects".to_owned())
+}
+
+/// The whole command that settles it, if it was meant.
+pub(super) fn command(outcome: &Outcome, reader: &Reader) -> Option<String> {
+    outcome.remedy().map(|remedy| format!("cargo xtask{} {remedy}", reader.root_flag))
+}
+
+/// The command that judges it again.
+pub(super) fn rerun(outcome: &Outcome, reader: &Reader) -> String {
+    format!("cargo xtask{} check {}", reader.root_flag, shell_word(&outcome.name))
+}
+
+/// The file that a failure is about, where the reader finds it.
+pub(super) fn file(outcome: &Outcome, reader: &Reader) -> String {
+    let label = match outcome.verdict {
+        Verdict::OrphanGolden => Suite::golden_label(&outcome.name),
+        _ => Suite::fixture_label(&outcome.name),
+    };
+    format!("{}{label}", reader.path_prefix)
 }
 
 /// Of findings, and of objects that are blamed.
@@ -129,58 +211,4 @@ pub fn comparison_lines(c: &Comparison) -> String {
         format!("{:<22} {value}{note}\n", m.name)
     };
     METRICS.iter().map(line).collect()
-}
-
-/// How many of each verdict.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Summary {
-    /// How many fixtures and orphan goldens were judged.
-    pub total: usize,
-    /// How many of each verdict there is one of.
-    pub counts: BTreeMap<Verdict, usize>,
-    /// How many of them were unchanged since their last match.
-    pub unchanged: usize,
-    /// How many of the unchanged were rendered again as an audit.
-    pub audited: usize,
-    /// How many of the audited were no match, against what was recorded.
-    pub belied: usize,
-}
-
-impl Summary {
-    /// Whether everything matches and there was something to match.
-    pub fn is_green(&self) -> bool {
-        self.total > 0 && self.counts.get(&Verdict::Match) == Some(&self.total)
-    }
-}
-
-impl fmt::Display for Summary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} judged:", self.total)?;
-        for (i, (verdict, count)) in self.counts.iter().enumerate() {
-            let comma = if i == 0 { "" } else { "," };
-            write!(f, "{comma} {count} {}", verdict.words())?;
-        }
-        if self.unchanged > 0 {
-            let Self { unchanged, audited, .. } = self;
-            write!(f, " ({unchanged} unchanged since their last match, {audited} of them ")?;
-            write!(f, "rendered again as an audit)")?;
-        }
-        Ok(())
-    }
-}
-
-/// Counts the verdicts.
-pub fn summarize(outcomes: &[Outcome]) -> Summary {
-    let mut counts = BTreeMap::new();
-    for outcome in outcomes {
-        *counts.entry(outcome.verdict).or_default() += 1;
-    }
-    let count = |of: &[Origin]| outcomes.iter().filter(|o| of.contains(&o.origin)).count();
-    Summary {
-        total: outcomes.len(),
-        counts,
-        unchanged: count(&[Origin::Unchanged, Origin::Audited, Origin::Belied]),
-        audited: count(&[Origin::Audited, Origin::Belied]),
-        belied: count(&[Origin::Belied]),
-    }
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use scene::{Assets, MAX_ASSET_BYTES};
 
 use super::{read, real_path};
+use crate::lfs::pointer_problem;
 
 /// The meshes of a scene: files in its own folder or below, links included
 /// only where they stay there.
@@ -30,9 +31,13 @@ impl Assets for FolderAssets {
         if !really.starts_with(home) {
             return Err("is a link that leaves the scene's folder".to_owned());
         }
-        match read(&really, MAX_ASSET_BYTES) {
-            Ok(bytes) => bytes.ok_or_else(missing),
-            Err(error) => Err(format!("cannot be read: {}", error.what)),
+        let bytes = match read(&really, MAX_ASSET_BYTES) {
+            Ok(bytes) => bytes.ok_or_else(missing)?,
+            Err(error) => return Err(format!("cannot be read: {}", error.what)),
+        };
+        match pointer_problem(&bytes, "mesh") {
+            None => Ok(bytes),
+            Some(problem) => Err(problem),
         }
     }
 }

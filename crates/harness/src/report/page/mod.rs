@@ -3,7 +3,7 @@
 //!
 //! Its data is JSON in script elements. `id="report"` has the run as
 //! [`run_json`](super::run_json) tells it, with more of each fixture (see
-//! [`fixture`]); one element for each fixture, `id="fixture-N"`, has its pictures
+//! `fixture.rs`); one element for each fixture, `id="fixture-N"`, has its pictures
 //! and is read only when they are looked at, so that thousands open at once.
 
 mod assets;
@@ -15,7 +15,8 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use super::json::{metrics_json, summary_json};
-use super::text::{Reader, summarize};
+use super::summary::summarize;
+use super::text::Reader;
 use crate::suite::Suite;
 use crate::verdict::{Outcome, Verdict};
 use assets::{PAGE, SCRIPTS, STYLE};
