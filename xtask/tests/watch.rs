@@ -72,7 +72,9 @@ fn every_edit_is_noticed_once() {
     watch.until("c.RON: expected the ending .ron");
     fs::remove_file(tree.path("fixtures/c.RON")).unwrap();
     watch.until("2 judged: 2 match");
-    assert_eq!(watch.interrupt(), Some(0));
+    tree.write("fixtures/c.RON", b"x");
+    watch.until("c.RON: expected the ending .ron");
+    assert_eq!(watch.interrupt(), Some(1), "nobody knows");
 }
 
 #[test]
@@ -140,12 +142,20 @@ fn the_page_is_loaded_anew_and_decides() {
     served.post("undo", &["a"]);
     assert_eq!(changed(&before, &files(tree.0.path())), ["fixtures/b.ron"]);
 
+    // That was said to be a match.
+    tab.expect("state");
+    tab.expect("reload");
+    let state = served.post("accept", &["a"]);
+    assert_eq!(
+        (&state["decisions"], &state["can_accept"]),
+        (&json!({"a": "accepted"}), &json!(["b"]))
+    );
     // It goes on without tabs.
     drop(tab);
     std::thread::sleep(Duration::from_secs(3));
     served.post("accept", &["b"]);
     served.interrupt();
-    served.line_with("1 accepted, 0 rejected, 0 left");
+    served.line_with("2 accepted, 0 rejected, 0 left");
     assert_eq!(served.end().0, Some(0));
 }
 

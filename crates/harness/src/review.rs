@@ -182,8 +182,8 @@ impl Review {
         names.iter().filter_map(undo).collect()
     }
 
-    /// Whether the golden of this name is as it was last written here, so that
-    /// nobody else has changed it.
+    /// Whether the golden of this name is as it was last written here, by nobody
+    /// else, and all that follows from it is known here.
     pub fn wrote(&self, name: &str) -> bool {
         self.written.get(name).is_some_and(|hash| self.golden_hash(name).as_ref() == Ok(hash))
     }
@@ -249,7 +249,14 @@ impl Review {
                     Some(bytes) => store::write(&path, bytes),
                 };
                 back.map_err(|error| error.to_string())?;
-                self.written.insert(name.to_owned(), before.as_ref().map(content_hash));
+                // What was accepted in an earlier review is a match in this one, and
+                // is none from here on: that is for the next one to say.
+                let hash = before.as_ref().map(content_hash);
+                if self.steps.contains_key(name) {
+                    self.written.insert(name.to_owned(), hash);
+                } else {
+                    self.written.remove(name);
+                }
             }
         }
         self.decided.remove(name);

@@ -5,6 +5,7 @@
 #![allow(clippy::disallowed_methods)]
 
 mod folder_assets;
+mod scratch;
 mod stamp;
 #[cfg(test)]
 mod tests;
@@ -18,6 +19,7 @@ use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
 pub use folder_assets::FolderAssets;
+pub use scratch::Scratch;
 pub use stamp::{Stamp, stamps};
 
 /// Something that could not be read or written.
@@ -405,23 +407,4 @@ fn has_an_ending(path: &Path) -> bool {
     const ENDINGS: [&str; 2] = ["ron", "png"];
     let found = path.extension().unwrap_or_default();
     ENDINGS.iter().any(|ending| found.eq_ignore_ascii_case(ending))
-}
-
-/// A folder for what is needed for a while; it goes away with this.
-#[derive(Debug)]
-pub struct Scratch(tempfile::TempDir);
-
-impl Scratch {
-    /// An empty one, where the system keeps such.
-    ///
-    /// # Errors
-    /// Whatever kept it from being made.
-    pub fn new() -> Result<Self, StoreError> {
-        tempfile::tempdir().map(Self).map_err(|error| StoreError::io(Path::new("."), &error))
-    }
-
-    /// Where a file of this name is in it.
-    pub fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
 }

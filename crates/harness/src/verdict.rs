@@ -216,4 +216,41 @@ mod tests {
         assert_eq!(shell_word("star*"), "'star*'");
         assert_eq!(shell_word("-dash"), "-- '-dash'");
     }
+    fn outcome(verdict: Verdict) -> Outcome {
+        Outcome::unrendered("a/b c", verdict)
+    }
+
+    #[test]
+    fn only_what_accepting_settles_is_blessed() {
+        use Verdict::{
+            Differs, MissingGolden, OrphanGolden, StaleGolden, TamperedGolden, Unreadable,
+            WrongSize,
+        };
+        let blessed = [Differs, MissingGolden, WrongSize, TamperedGolden, StaleGolden, Unreadable];
+        for verdict in Verdict::ALL {
+            let expected = match verdict {
+                OrphanGolden => Some("bless --prune 'a/b c'"),
+                verdict if blessed.contains(&verdict) => Some("bless 'a/b c'"),
+                _ => None,
+            };
+            assert_eq!(outcome(verdict).remedy().as_deref(), expected, "{verdict:?}");
+        }
+    }
+
+    #[test]
+    fn a_picture_that_is_wrong_is_not_blessed() {
+        let differs = || outcome(Verdict::Differs);
+        let breaks_expectations = Outcome { breaks_expectations: true, ..differs() };
+        let breaks_relations = Outcome { breaks_relations: true, ..differs() };
+        let keeps_golden = Outcome { keeps_golden: true, ..differs() };
+        assert!(differs().remedy().is_some() && !differs().breaks_its_word());
+        assert!(breaks_expectations.breaks_its_word() && breaks_relations.breaks_its_word());
+        assert!(!keeps_golden.breaks_its_word(), "the golden is to blame, not the picture");
+        for wrong in [breaks_expectations, breaks_relations, keeps_golden] {
+            assert_eq!(wrong.remedy(), None, "{wrong:?}");
+        }
+        // What has no fixture has no word to break.
+        let orphan = Outcome { keeps_golden: true, ..outcome(Verdict::OrphanGolden) };
+        assert!(orphan.remedy().is_some());
+    }
 }

@@ -63,7 +63,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         program: store::program_hash()?,
         interrupt: Interrupt::listen()?,
         served: None,
-        is_green: false,
+        said: Said::Nothing,
         suite,
         args,
     };
@@ -80,7 +80,18 @@ struct Watch<'a> {
     program: String,
     interrupt: Interrupt,
     served: Option<(Arc<Site>, Address)>,
-    is_green: bool,
+    /// What was said last.
+    said: Said,
+}
+
+/// What was said of a suite.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Said {
+    AllMatch,
+    /// Unless it is accepted where it is served.
+    NotAll,
+    /// Nothing: it could not be judged, or not shown as it is.
+    Nothing,
 }
 
 /// How the files looked at one moment.
@@ -196,14 +207,14 @@ impl Watch<'_> {
             }
             judging.join()
         });
-        self.is_green = false;
+        self.said = Said::Nothing;
         match judged {
             Ok(Ok((looked, page, review))) => {
                 looked.say(&self.suite, &self.args.say, &self.reader);
-                self.is_green = looked.is_green();
                 // What was edited meanwhile is checked in a moment; until then,
                 // nothing is accepted that is not shown.
-                if !self.args.no_serve && Stamps::of_suite(&self.suite) == before {
+                if Stamps::of_suite(&self.suite) == before {
+                    self.said = if looked.is_green() { Said::AllMatch } else { Said::NotAll };
                     self.show(&page, review)?;
                 }
             }
@@ -224,6 +235,9 @@ impl Watch<'_> {
     }
 
     fn show(&mut self, page: &str, review: Review) -> Result<(), CannotAsk> {
+        if self.args.no_serve {
+            return Ok(());
+        }
         if let Some((site, _)) = &self.served {
             return Ok(site.replace(page, review)?);
         }
@@ -241,16 +255,22 @@ impl Watch<'_> {
     }
 
     fn answer(&self) -> Answer {
-        let mut is_yes = self.is_green;
+        let mut is_settled = false;
         if let Some((site, _)) = &self.served {
             let review = site.review();
             let tally = review.tally();
-            println!("\n{tally}");
-            is_yes = tally.is_settled();
+            is_settled = tally.is_settled();
+            if !tally.accepted.is_empty() || !tally.rejected.is_empty() {
+                println!("\n{tally}");
+            }
             // Held to the end, so that nothing is decided after it was said.
             std::mem::forget(review);
         }
-        if is_yes { Answer::Yes } else { Answer::No }
+        match self.said {
+            Said::AllMatch => Answer::Yes,
+            Said::NotAll if is_settled => Answer::Yes,
+            Said::NotAll | Said::Nothing => Answer::No,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{At, Expect, Rendered};
+use super::{Expect, Rendered};
 
 /// `pixels` pixels have this 8-bit color: the area of a silhouette.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,10 +39,6 @@ impl Expect for Count {
             "pixels of color {:?}: expected {}{within}, found {found}",
             self.rgb, self.pixels
         ))
-    }
-
-    fn pixels(&self) -> Vec<(&'static str, At)> {
-        Vec::new()
     }
 
     fn problems(&self, _: (u32, u32)) -> Vec<(&'static str, String)> {

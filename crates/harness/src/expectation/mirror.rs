@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{At, Expect, Rendered};
+use super::{Expect, Rendered};
 
 /// Every linear pixel has the very bits of its mirror image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -35,10 +35,6 @@ impl Expect for Mirror {
             }
         }
         Ok(())
-    }
-
-    fn pixels(&self) -> Vec<(&'static str, At)> {
-        Vec::new()
     }
 
     fn problems(&self, (width, height): (u32, u32)) -> Vec<(&'static str, String)> {

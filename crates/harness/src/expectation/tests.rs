@@ -56,6 +56,19 @@ fn counts() {
 }
 
 #[test]
+fn an_allowance_is_written_where_there_is_one() {
+    #[track_caller]
+    fn check(within: u64, expected: &str) {
+        let count = Expectation::Count(Count { rgb: (1, 2, 3), pixels: 9, within });
+        let text = serde_json::to_string(&count).unwrap();
+        assert_eq!(text, expected);
+        assert_eq!(serde_json::from_str::<Expectation>(&text).unwrap(), count);
+    }
+    check(0, r#"{"Count":{"rgb":[1,2,3],"pixels":9}}"#);
+    check(2, r#"{"Count":{"rgb":[1,2,3],"pixels":9,"within":2}}"#);
+}
+
+#[test]
 fn of_black_only_roundings_are_close() {
     let dark = |within| {
         let picture = Rendered {

@@ -204,8 +204,10 @@ fn decisions_outlive_what_is_judged_later_where_they_still_hold() {
         ("gone", Decision::Accepted),
     ];
     assert_eq!(all.decided(), kept);
+    assert!(all.review.wrote("added"));
     assert_eq!(all.review.undo(&names(&["added"])), [""; 0]);
     assert!(!all.goldens().contains_key("added"));
+    assert!(!all.review.wrote("added"), "it was said to be a match");
 
     all.write("fixtures/changed.ron", other("image: (8, 6)").as_bytes());
     all.write("golden/gone.png", b"other");

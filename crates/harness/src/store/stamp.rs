@@ -1,7 +1,6 @@
 //! `Stamp`: what tells that a file has changed without reading it.
 
 use std::collections::BTreeMap;
-use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
@@ -24,19 +23,26 @@ pub struct Stamp {
 #[cfg(unix)]
 type Identity = (u64, i64, i64);
 
-#[cfg(unix)]
-fn identity(found: &Metadata) -> Identity {
-    use std::os::unix::fs::MetadataExt;
-    (found.ino(), found.ctime(), found.ctime_nsec())
-}
-
 /// When the file was made.
 #[cfg(not(unix))]
 type Identity = Option<SystemTime>;
 
-#[cfg(not(unix))]
-fn identity(found: &Metadata) -> Identity {
-    found.created().ok()
+impl Stamp {
+    /// Of a file, or what a link to one leads to.
+    fn of(path: &Path) -> Option<Self> {
+        let found = path.metadata().ok()?;
+        if !found.is_file() {
+            return None;
+        }
+        #[cfg(unix)]
+        let identity = {
+            use std::os::unix::fs::MetadataExt;
+            (found.ino(), found.ctime(), found.ctime_nsec())
+        };
+        #[cfg(not(unix))]
+        let identity = found.created().ok();
+        Some(Self { bytes: found.len(), modified: found.modified().ok(), identity })
+    }
 }
 
 /// The stamps of the files at `place` or below it whose paths are wanted; links
@@ -49,12 +55,7 @@ pub fn stamps(place: &Path, is_wanted: &dyn Fn(&Path, bool) -> bool) -> BTreeMap
         let is_folder = entry.file_type().is_dir();
         entry.depth() == 0 || !is_hidden && is_wanted(entry.path(), is_folder)
     });
-    let stamp = |path: PathBuf| {
-        let found = fs::metadata(&path).ok().filter(Metadata::is_file)?;
-        let identity = identity(&found);
-        Some((path, Stamp { bytes: found.len(), modified: found.modified().ok(), identity }))
-    };
     let files = walk.filter_map(Result::ok).filter(|entry| !entry.file_type().is_dir());
     let files = files.map(walkdir::DirEntry::into_path).filter(|path| !is_temporary(path));
-    files.filter_map(stamp).collect()
+    files.filter_map(|path| Some((path.clone(), Stamp::of(&path)?))).collect()
 }
