@@ -2,7 +2,7 @@
 //! decided there.
 //!
 //! It listens on 127.0.0.1, answers only who knows the run's token, and changes
-//! something only for the page that it served itself ([`guard`]). A connection
+//! something only for the page that it served itself (`guard.rs`). A connection
 //! asks once and is closed; one that is slow, or says nothing, keeps neither
 //! others nor the process waiting.
 
