@@ -6,10 +6,11 @@ use std::time::Instant;
 
 use harness::last_failed;
 use harness::recheck::{Rechecked, recheck};
+use harness::report::page::{self, Kind};
 use harness::report::{Reader, summarize};
 use harness::run;
 use harness::steady::run_repeatedly;
-use harness::store::StoreError;
+use harness::store::{self, StoreError};
 use harness::suite::{Selection, Suite};
 use harness::verdict::Outcome;
 
@@ -97,6 +98,15 @@ impl Looked {
     /// Whether everything matches.
     pub fn is_green(&self) -> bool {
         summarize(self.outcomes()).is_green()
+    }
+
+    /// Writes the page of it to where a check does.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write_report(&self, suite: &Suite, reader: &Reader) -> Result<(), StoreError> {
+        let page = page::html(suite, self.outcomes(), self.elapsed_ms, Kind::Report, reader);
+        store::write(&suite.root().join(Suite::REPORT), page.as_bytes())
     }
 
     /// Prints a line for each that is to be seen, and the summary.

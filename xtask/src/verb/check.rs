@@ -2,8 +2,6 @@
 
 mod outputs;
 
-use harness::report::page::{self, Kind};
-use harness::store;
 use harness::suite::Suite;
 
 use outputs::Outputs;
@@ -56,8 +54,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let reader = here.reader(&suite);
     let (outcomes, elapsed_ms) = (looked.outcomes(), looked.elapsed_ms);
     // Before a line is printed, as a reader such as `head` ends the program.
-    let page = page::html(&suite, outcomes, elapsed_ms, Kind::Report, &reader);
-    let reported = store::write(&suite.root().join(Suite::REPORT), page.as_bytes());
+    let reported = looked.write_report(&suite, &reader);
     let written = args.outputs.write(here, &suite, outcomes, elapsed_ms);
     looked.say(&suite, &args.say, &reader);
     args.outputs.say(here, &suite, outcomes, elapsed_ms)?;

@@ -103,6 +103,7 @@ fn show(suite: &Suite, args: &Args, reader: &Reader) -> Result<Shown, CannotAsk>
         let before = Stamps::of_suite(suite);
         let looked = look(suite, &ask, &args.say)?;
         let outcomes = looked.outcomes();
+        looked.write_report(suite, reader)?;
         let review = Review::new(suite, outcomes);
         let page = page::html(suite, outcomes, looked.elapsed_ms, Kind::Review, reader);
         if Stamps::of_suite(suite) == before {

@@ -229,6 +229,7 @@ impl Watch<'_> {
         let ask = Ask { filters: &self.args.filters, last_failed: false, how: How::Recheck };
         let looked = look(&self.suite, &ask, &self.args.say)?;
         let outcomes = looked.outcomes();
+        looked.write_report(&self.suite, &self.reader)?;
         let review = Review::new(&self.suite, outcomes);
         let page = page::html(&self.suite, outcomes, looked.elapsed_ms, Kind::Watch, &self.reader);
         Ok((looked, page, review))
