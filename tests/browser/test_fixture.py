@@ -54,7 +54,10 @@ def test_metrics_are_held_against_limits(open_page, broken_page):
     assert look.text("[data-metric=ssim_mean] td:nth-child(3)").startswith("≥ 0.97 ✓")
     assert look.text("[data-metric=max_abs] td:nth-child(2)").split()[0] == str(fixture["max_abs"])
     look.page.click("[data-metric=max_abs] summary")
-    assert "Blind to:" in look.text("[data-metric=max_abs] details")
+    metric = next(one for one in look.report()["metrics"] if one["name"] == "max_abs")
+    told = look.text("[data-metric=max_abs] details")
+    assert f"Measures {metric['measures']}. Range: {metric['range']}; lower is closer." in told
+    assert f"Blind to: {metric['blind_spot']}" in told
     assert len(look.texts(".metrics tbody tr")) == len(look.report()["metrics"])
 
 

@@ -53,7 +53,7 @@ function metricName(metric) {
       element("span", { class: "arrow", "aria-hidden": "true" }, ` ${arrow}`),
       unseen(`, ${better}`),
     ),
-    element("p", {}, `${metric.measures} Range ${metric.range}; ${better}.`),
+    element("p", {}, `Measures ${metric.measures}. Range: ${metric.range}; ${better}.`),
     element("p", {}, `Blind to: ${metric.blind_spot}`),
   );
 }
