@@ -60,7 +60,7 @@ fn what_moved_since_it_was_shown_is_not_accepted() {
         let state = served.post("accept", &[name]);
         assert_eq!(state["decisions"], json!({}));
         let said = state["messages"][0].as_str().unwrap();
-        assert!(said.contains(name) && said.contains("expected "), "{said}");
+        assert!(said.contains(name) && said.contains("changed since it was shown"), "{said}");
     }
     assert_eq!(changed(&before, &files(tree.0.path())), [""; 0]);
     // Nor is a golden lost that somebody wrote over what was accepted.

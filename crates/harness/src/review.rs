@@ -14,7 +14,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use tally::Tally;
 
-use crate::bless::{Blessed, Plan, Proposals, Step, commit, propose, propose_steps};
+use crate::bless::{
+    Blessed, Moved, Plan, Proposals, Refusal, Step, commit, propose, propose_steps,
+};
 use crate::hash::content_hash;
 use crate::run::read_golden;
 use crate::store;
@@ -69,12 +71,26 @@ impl Review {
             orphans: names(|o| o.verdict == Verdict::OrphanGolden),
         };
         let plan = Plan::of(&propose(suite, &selection, true, &|_| ()));
-        let reasons = |reasons: Vec<String>| reasons.join("; ").trim_end().to_owned();
+        let is_refused = |name: &str| {
+            let is_it = |o: &Outcome| o.name == name && o.verdict == Verdict::RenderRefused;
+            outcomes.iter().any(is_it)
+        };
+        let reasons = |name: &str, reasons: Vec<String>| {
+            if is_refused(name) {
+                // Its problems are its findings, many lines.
+                return "there is no picture".to_owned();
+            }
+            reasons.join("; ").trim_end().to_owned()
+        };
         Self {
             suite: suite.clone(),
             outcomes: outcomes.iter().map(|o| (o.name.clone(), o.clone())).collect(),
             steps: plan.goldens.into_iter().map(|step| (step.name.clone(), step)).collect(),
-            refused: plan.refused.into_iter().map(|r| (r.name, reasons(r.reasons))).collect(),
+            refused: plan
+                .refused
+                .into_iter()
+                .map(|Refusal { name, reasons: why }| (name.clone(), reasons(&name, why)))
+                .collect(),
             decided: BTreeMap::new(),
             written: BTreeMap::new(),
         }
@@ -139,10 +155,8 @@ impl Review {
             }
         }
         let (mut proposals, moved) = propose_steps(&self.suite, &steps, &|_| ());
-        for moved in &moved {
-            proposals.remove(&moved.name);
-            said.push(format!("Not accepted, as it moved since it was shown: {moved}"));
-        }
+        said.extend(say_moved(&moved));
+        proposals.retain(|name, _| moved.iter().all(|moved| moved.name != *name));
         for step in steps {
             if let Some((name, proposal)) = proposals.remove_entry(&step.name) {
                 let one = Proposals::from([(name, proposal)]);
@@ -267,4 +281,20 @@ impl Review {
         let file = read_golden(&self.suite.golden_path(name)).map_err(|error| error.to_string())?;
         Ok(file.map(content_hash))
     }
+}
+
+/// A sentence for each name of which something moved, without hashes: nobody
+/// has seen them.
+fn say_moved(moved: &[Moved]) -> Vec<String> {
+    let mut by_name = BTreeMap::<&str, Vec<&str>>::new();
+    for Moved { name, what, .. } in moved {
+        by_name.entry(name).or_default().push(what);
+    }
+    let sentence = |(name, what): (&str, Vec<&str>)| {
+        format!(
+            "{name} is not accepted: {} changed since it was shown; review it again",
+            what.join(" and ")
+        )
+    };
+    by_name.into_iter().map(sentence).collect()
 }

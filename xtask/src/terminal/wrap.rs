@@ -1,10 +1,14 @@
 //! `wrap`: words in lines of a width.
 
-/// Lines of at most so many letters, cut between words where that is possible.
-/// What would move a terminal's cursor is shown as a question mark.
+/// Lines of at most so many letters, cut between words where that is possible;
+/// one that fits is as it was. What would move a terminal's cursor is shown as a
+/// question mark.
 pub(super) fn wrap(text: &str, columns: usize) -> Vec<String> {
     let columns = columns.max(1);
     let plain = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+    if text.chars().count() <= columns {
+        return vec![text.chars().map(plain).collect()];
+    }
     let mut lines = vec![String::new()];
     let mut width = 0;
     for word in text.split(' ') {
@@ -50,5 +54,6 @@ mod tests {
         check("abc", 0, &["a", "b", "c"]);
         check("\u{1b}[2J", 9, &["\u{fffd}[2J"]);
         check("ääää öö", 5, &["ääää", "öö"]);
+        check("   |  ^^", 8, &["   |  ^^"]);
     }
 }

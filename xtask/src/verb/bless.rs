@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use harness::bless::{Blessed, Moved, Plan, PlanError, commit, propose, propose_again};
 use harness::digest;
 use harness::repack::{Repacked, repack};
-use harness::report::numbers;
+use harness::report::{Reader, numbers};
 use harness::store;
 use harness::suite::{Selection, Suite};
 
@@ -157,20 +157,23 @@ fn say(here: &Here, suite: &Suite, all: Result<Vec<(String, Blessed)>, Vec<Moved
         }
     }
     if written > 0 {
-        say_what_follows(here, suite);
+        say_what_follows(suite, &here.reader(suite));
     }
     println!("{written} written, {untouched} left as they were, {refused} refused");
     if refused == 0 { Answer::Yes } else { Answer::No }
 }
 
 /// What is drawn of goldens, and so is out of date.
-pub(crate) fn say_what_follows(here: &Here, suite: &Suite) {
-    let flag = here.reader(suite).root_flag;
+pub(crate) fn say_what_follows(suite: &Suite, reader: &Reader) {
+    let flag = &reader.root_flag;
     if store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
         println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);
     }
     if store::is_file(&suite.root().join(digest::TABLE)) {
-        println!("then rewrite {}: cargo xtask{flag} digest --write", digest::TABLE);
+        println!(
+            "then, where linear pictures changed, rewrite {}: cargo xtask{flag} digest --write",
+            digest::TABLE
+        );
     }
 }
 

@@ -68,7 +68,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     }
     if args.tty {
         terminal::walk(&suite, &mut review, &reader)?;
-        return Ok(say(here, &suite, &review));
+        return Ok(say(&suite, &review, &reader));
     }
     let interrupt = Interrupt::listen()?;
     let site = Arc::new(Site::new(&page, review)?);
@@ -80,7 +80,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     }
     while !interrupt.wait(LOOK_EVERY) && !site.tabs.have_left() {}
     let review = site.review();
-    let answer = say(here, &suite, &review);
+    let answer = say(&suite, &review, &reader);
     // Held to the end, so that nothing is decided after it was said.
     std::mem::forget(review);
     Ok(answer)
@@ -114,8 +114,8 @@ fn show(suite: &Suite, args: &Args, reader: &Reader) -> Result<Shown, CannotAsk>
     Err(CannotAsk("expected files that stay as they are: they are edited all the time".to_owned()))
 }
 
-/// What became of everything.
-fn say(here: &Here, suite: &Suite, review: &Review) -> Answer {
+/// Prints what became of everything.
+pub(super) fn say(suite: &Suite, review: &Review, reader: &Reader) -> Answer {
     let tally = review.tally();
     for (what, names) in
         [("accepted", &tally.accepted), ("rejected", &tally.rejected), ("left", &tally.left)]
@@ -125,7 +125,7 @@ fn say(here: &Here, suite: &Suite, review: &Review) -> Answer {
         }
     }
     if !tally.accepted.is_empty() {
-        say_what_follows(here, suite);
+        say_what_follows(suite, reader);
     }
     println!("{tally}");
     if tally.is_settled() { Answer::Yes } else { Answer::No }

@@ -13,6 +13,7 @@ use harness::store;
 use harness::suite::Suite;
 
 use super::bless::by_hand;
+use super::review;
 use xtask::interrupt::{Interrupt, end_at_once};
 use xtask::look::{Ask, How, Looked, look};
 use xtask::rebuild::{self, Built, become_program, build, repository};
@@ -262,7 +263,8 @@ impl Watch<'_> {
             let tally = review.tally();
             is_settled = tally.is_settled();
             if !tally.accepted.is_empty() || !tally.rejected.is_empty() {
-                println!("\n{tally}");
+                println!();
+                review::say(&self.suite, &review, &self.reader);
             }
             // Held to the end, so that nothing is decided after it was said.
             std::mem::forget(review);

@@ -64,7 +64,7 @@ pub fn brief_line(outcome: &Outcome, reader: &Reader) -> String {
         let details = details.map(|line| format!("\n    {line}"));
         return std::iter::once(head).chain(details).collect::<String>().trim_end().to_owned();
     }
-    let parts = reasons(outcome, reader);
+    let parts = reasons_and_place(outcome, reader);
     if parts.is_empty() { head } else { format!("{head}: {}", parts.join(" | ")) }
 }
 
@@ -103,7 +103,17 @@ pub fn outcome_parts(outcome: &Outcome, reader: &Reader) -> Vec<String> {
     if outcome.verdict == Verdict::RenderRefused {
         return outcome.findings.iter().flat_map(|f| f.lines()).map(str::to_owned).collect();
     }
-    [reasons(outcome, reader), hints(outcome, reader)].concat()
+    [reasons_and_place(outcome, reader), hints(outcome, reader)].concat()
+}
+
+fn reasons_and_place(outcome: &Outcome, reader: &Reader) -> Vec<String> {
+    let mut parts = reasons(outcome, reader);
+    // Of objects it was just said where they are.
+    let is_said = outcome.blamed.iter().any(|blamed| blamed.object.is_some());
+    if let (Some((line, column)), false) = (outcome.place, is_said) {
+        parts.push(format!("at {}:{line}:{column}", file(outcome, reader)));
+    }
+    parts
 }
 
 /// Why, in as many parts as there are: findings, numbers, what is to blame.
@@ -149,7 +159,14 @@ fn hints(outcome: &Outcome, reader: &Reader) -> Vec<String> {
 /// What to do about it, where that is known.
 pub(super) fn advice(outcome: &Outcome, reader: &Reader) -> Option<String> {
     if let Some(command) = command(outcome, reader) {
-        return Some(format!("if meant: {command}"));
+        // Nobody draws by hand what a golden shows.
+        let is_damaged = matches!(outcome.verdict, Verdict::TamperedGolden | Verdict::Unreadable);
+        let restore = if is_damaged {
+            format!("restore {} from the repository, or ", golden(outcome, reader))
+        } else {
+            String::new()
+        };
+        return Some(format!("{restore}if meant: {command}"));
     }
     if outcome.verdict == Verdict::Unsteady {
         return Some("mend the tracer: the same scene must give the same bits".to_owned());
@@ -168,13 +185,16 @@ pub(super) fn rerun(outcome: &Outcome, reader: &Reader) -> String {
     format!("cargo xtask{} check {}", reader.root_flag, shell_word(&outcome.name))
 }
 
+fn golden(outcome: &Outcome, reader: &Reader) -> String {
+    format!("{}{}", reader.path_prefix, Suite::golden_label(&outcome.name))
+}
+
 /// The file that a failure is about, where the reader finds it.
 pub(super) fn file(outcome: &Outcome, reader: &Reader) -> String {
-    let label = match outcome.verdict {
-        Verdict::OrphanGolden => Suite::golden_label(&outcome.name),
-        _ => Suite::fixture_label(&outcome.name),
-    };
-    format!("{}{label}", reader.path_prefix)
+    match outcome.verdict {
+        Verdict::OrphanGolden => golden(outcome, reader),
+        _ => format!("{}{}", reader.path_prefix, Suite::fixture_label(&outcome.name)),
+    }
 }
 
 /// Of findings, and of objects that are blamed.

@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use crate::verdict::{Outcome, Verdict};
 
 /// What is no match, the worst first: what has no picture, what is wrong
-/// whatever its golden says, what is not its golden, and the rest, of which the
-/// golden's file is to be seen to. Within each by the worst window of SSIM, then
+/// whatever its golden says, what has no golden to be compared with, what is not
+/// its golden, and the rest, of which the golden's file is to be seen to. Within each by the worst window of SSIM, then
 /// by name.
 pub(super) fn failures(outcomes: &[Outcome]) -> Vec<&Outcome> {
     let mut failures: Vec<_> = outcomes.iter().filter(|o| o.verdict != Verdict::Match).collect();
@@ -25,9 +25,10 @@ fn kind(outcome: &Outcome) -> u8 {
         Verdict::RenderRefused => 0,
         Verdict::Unsteady => 1,
         _ if outcome.breaks_its_word() => 1,
-        Verdict::WrongSize | Verdict::Unreadable => 2,
-        _ if differs => 2,
-        _ => 3,
+        Verdict::MissingGolden | Verdict::Unreadable | Verdict::TamperedGolden => 2,
+        Verdict::WrongSize => 3,
+        _ if differs => 3,
+        _ => 4,
     }
 }
 
@@ -64,6 +65,8 @@ mod tests {
             outcome("a-same", Verdict::Differs, Some(90)),
             outcome("faint", Verdict::Differs, Some(1)),
             outcome("crop", Verdict::WrongSize, None),
+            outcome("lost", Verdict::MissingGolden, None),
+            outcome("edited", Verdict::TamperedGolden, Some(1)),
             wrong,
             outcome("unsteady", Verdict::Unsteady, None),
             outcome("orphan", Verdict::OrphanGolden, None),
@@ -71,7 +74,8 @@ mod tests {
         ];
         let names: Vec<_> = failures(&all).iter().map(|o| o.name.as_str()).collect();
         let expected = [
-            "refused", "unsteady", "wrong", "crop", "a-same", "b-same", "faint", "orphan", "stale",
+            "refused", "unsteady", "wrong", "lost", "edited", "crop", "a-same", "b-same", "faint",
+            "orphan", "stale",
         ];
         assert_eq!(names, expected);
     }

@@ -129,7 +129,7 @@ fn what_cannot_be_accepted_says_why_and_keeps_no_other() {
     let begins = [
         "../same is not accepted: it is none of the fixtures",
         "broken is not accepted: ",
-        "refused is not accepted: fixtures/refused.ron",
+        "refused is not accepted: there is no picture",
         "same is not accepted: it is a match",
     ];
     assert_eq!(said.len(), begins.len(), "{said:?}");
@@ -165,15 +165,27 @@ fn what_moved_since_it_was_shown_is_not_accepted() {
     let fixture = |name, text: String| {
         move |all: &Reviewed| all.write(&format!("fixtures/{name}.ron"), text.as_bytes())
     };
-    moved("changed", fixture("changed", other("image: (8, 6)")), "changed: the scene: expected ");
-    moved("changed", fixture("changed", "()".into()), "changed: the verdict: ");
-    moved("gone", fixture("gone", other("image: (8, 6)")), "gone: its fixture: expected none");
+    moved(
+        "changed",
+        fixture("changed", other("image: (8, 6)")),
+        "changed is not accepted: the scene and ",
+    );
+    moved(
+        "changed",
+        fixture("changed", "()".into()),
+        "changed is not accepted: the verdict changed since it was shown",
+    );
+    moved(
+        "gone",
+        fixture("gone", other("image: (8, 6)")),
+        "its fixture changed since it was shown",
+    );
     for name in ["added", "changed", "gone"] {
         let golden = |all: &Reviewed| all.write(&format!("golden/{name}.png"), b"other");
-        moved(name, golden, "the golden's file: expected ");
+        moved(name, golden, "the golden's file changed since it was shown; review it again");
     }
     let remove = |all: &Reviewed| store::remove(&all.suite.fixture_path("added")).unwrap();
-    moved("added", remove, "there is no such file");
+    moved("added", remove, "added is not accepted: the verdict changed since it was shown");
 }
 
 #[test]

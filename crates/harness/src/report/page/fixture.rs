@@ -20,6 +20,7 @@ use crate::verdict::{Outcome, shell_word};
 pub(super) struct Shown {
     /// What a run's JSON has of it, and more.
     ///
+    /// `rank` is its place among the failures, 0 for the worst, null for a match;
     /// `path` is that of its file, as the reader finds it; `rerun` the command
     /// that checks it again; `transfer` the curve from linear values to codes,
     /// null where the file cannot be read; `has_golden` and `has_actual` say

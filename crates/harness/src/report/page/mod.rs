@@ -9,6 +9,7 @@
 mod assets;
 mod fixture;
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use rayon::prelude::*;
@@ -17,6 +18,7 @@ use serde_json::{Value, json};
 use super::json::{metrics_json, summary_json};
 use super::summary::summarize;
 use super::text::Reader;
+use super::worst::failures;
 use crate::suite::Suite;
 use crate::verdict::{Outcome, Verdict};
 use assets::{PAGE, SCRIPTS, STYLE};
@@ -68,7 +70,8 @@ pub fn html(
         })
         .collect();
     let show = |(outcome, has_linear)| shown(suite, outcome, has_linear, reader);
-    let all: Vec<Shown> = outcomes.par_iter().zip(has_linear).map(show).collect();
+    let mut all: Vec<Shown> = outcomes.par_iter().zip(has_linear).map(show).collect();
+    rank(&mut all, outcomes);
     let verdict = |verdict: Verdict| json!({ "id": verdict.id(), "words": verdict.words() });
     let report = json!({
         "schema": 1,
@@ -85,6 +88,15 @@ pub fn html(
         put(&mut data, &format!("fixture-{number}"), &shown.pictures);
     }
     fill(&title(outcomes), &data)
+}
+
+/// Says of each failure how many are worse.
+fn rank(all: &mut [Shown], outcomes: &[Outcome]) {
+    let ranks = failures(outcomes).into_iter().zip(0..);
+    let ranks: BTreeMap<_, u32> = ranks.map(|(outcome, rank)| (&outcome.name, rank)).collect();
+    for (shown, outcome) in all.iter_mut().zip(outcomes) {
+        shown.entry["rank"] = json!(ranks.get(&outcome.name));
+    }
 }
 
 /// A script element that no browser runs.
