@@ -115,7 +115,7 @@ impl Here {
     /// Writes a file that the user named, but none of the suite's own.
     ///
     /// # Errors
-    /// It lies among fixtures or goldens, or cannot be written.
+    /// It lies among fixtures, goldens or artifacts, or cannot be written.
     pub fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), CannotAsk> {
         self.may_write(path)?;
         Ok(store::write(path, bytes)?)
@@ -124,10 +124,11 @@ impl Here {
     /// Refuses a file that [`Here::write`] would refuse.
     ///
     /// # Errors
-    /// It lies among fixtures or goldens, or what is there is no file.
+    /// It lies among fixtures, goldens or artifacts, or what is there is no file.
     pub fn may_write(&self, path: &Path) -> Result<(), CannotAsk> {
         if let Ok(suite) = self.suite() {
-            for folder in ["fixtures", "golden"] {
+            // What is in the artifacts' folder is gone with the next check.
+            for folder in ["fixtures", "golden", Suite::ARTIFACTS, Suite::CACHE] {
                 if store::is_inside(path, &suite.root().join(folder)) {
                     let what = format!("expected a place outside of the suite's {folder}/");
                     return Err(CannotAsk::file(path, &what));

@@ -249,6 +249,41 @@ fn what_github_is_told_can_be_had_anywhere_and_left_out_elsewhere() {
         let ran = tree.run(&["check", flag, "fixtures/a.ron"]).expect_code(2);
         ran.expect("expected a place outside of the suite's fixtures/");
     }
-    let variables = [("GITHUB_STEP_SUMMARY", "golden/a.png")];
-    tree.run_with(&["check", "--github"], &variables).expect_code(2).expect("expected a place");
+    for flag in ["--junit", "--json"] {
+        let place = "target/goldray/report.html";
+        tree.run(&["check", flag, place]).expect_code(2).expect("expected a place outside");
+    }
+    let twice = ["check", "--json", "o/a", "--junit", "o/../o/a"];
+    tree.run(&twice).expect_code(2).expect("expected a file for each output");
+}
+
+#[test]
+fn what_the_runner_names_changes_no_answer() {
+    let tree = Tree::blessed(&[("a", SQUARE)]);
+    for (name, value) in [
+        ("GITHUB_STEP_SUMMARY", "golden/a.png"),
+        ("GITHUB_STEP_SUMMARY", "fixtures"),
+        ("GITHUB_STEP_SUMMARY", "/dev/null"),
+        ("GITHUB_WORKSPACE", ""),
+        ("GITHUB_WORKSPACE", "/there/is/none"),
+    ] {
+        let ran = tree.run_with(&["check", "--github"], &[(name, value)]).expect_code(0);
+        ran.expect(if name == "GITHUB_WORKSPACE" { "1 match" } else { "could not be added to" });
+    }
+}
+
+#[test]
+fn nothing_of_a_fixture_is_taken_for_a_command() {
+    let odd = "x\\u{1b}[41m\\n::error file=a::b.obj";
+    let text = SQUARE.replace("objects: [", &format!("objects: [Mesh(file: \"{odd}\"), "));
+    let tree = Tree::new(&[("a", &text)]);
+    let printed = tree.run(&["check", "--github"]).expect_code(1).stdout();
+    assert!(!printed.contains('\u{1b}'), "{printed:?}");
+    let lines: Vec<_> = printed.lines().map(str::trim_start).collect();
+    let commands: Vec<_> = lines.iter().filter(|line| line.starts_with("::")).collect();
+    assert_eq!(commands.len(), 3, "{printed}");
+    let word = commands[0].strip_prefix("::stop-commands::").unwrap();
+    assert_eq!(*commands[1], &format!("::{word}::"), "as nobody could know before");
+    assert!(commands[2].starts_with("::error file=fixtures/a.ron,line=7,"), "{printed}");
+    assert!(!tree.run(&["check"]).expect_code(1).stdout().contains("::stop-commands::"));
 }

@@ -24,7 +24,7 @@ pub use stamp::{Stamp, stamps};
 
 /// Something that could not be read or written.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {what}", path.display())]
+#[error("{}: {what}", scene::visible(&path.display().to_string()))]
 pub struct StoreError {
     /// Which file or folder.
     pub path: PathBuf,
@@ -347,7 +347,7 @@ pub fn is_folder(path: &Path) -> bool {
 /// # Errors
 /// A folder that cannot be walked; what would otherwise be passed over in
 /// silence: a link to a folder, the ending in other letters, a hidden file or
-/// no file with it, and a name that is not UTF-8 or holds control characters;
+/// no file with it, and a name that is not UTF-8 or holds characters that are not seen ([`scene::is_invisible`]);
 /// and a folder whose name ends as a fixture's or a golden's does, which would
 /// be in the way of one.
 pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
@@ -393,8 +393,9 @@ pub fn names(folder: &Path, ending: &str) -> Result<Vec<String>, StoreError> {
             .collect::<Option<Vec<_>>>()
             .ok_or_else(|| StoreError::new(path, "has a name that is not UTF-8"))?;
         let name = parts.join("/");
-        if name.chars().any(char::is_control) {
-            return Err(StoreError::new(path, "has a control character in its name"));
+        if name.chars().any(scene::is_invisible) {
+            let what = "has a character in its name that is not seen, but changes what is";
+            return Err(StoreError::new(path, what));
         }
         names.push(name);
     }

@@ -31,6 +31,9 @@ pub enum SuiteError {
     /// There is nothing in it.
     #[error("{}: expected at least one fixture (*.ron), found none", .0.display())]
     Empty(PathBuf),
+    /// A folder that would be in the way of what a check writes.
+    #[error("{}: expected another name for the outermost folder: a check writes a file of this name beside its pictures", .0.display())]
+    Reserved(PathBuf),
     /// A filter that selects nothing.
     #[error(transparent)]
     Filter(#[from] FilterError),
@@ -91,6 +94,9 @@ impl Suite {
     /// The page that a check writes, relative to the suite.
     pub const REPORT: &str = "target/goldray/report.html";
 
+    /// The folder for what one run tells the next, relative to the suite.
+    pub const CACHE: &str = "target/goldray-cache";
+
     /// The record of matches, relative to the suite.
     pub const RECORD: &str = "target/goldray-cache/matches.json";
 
@@ -123,6 +129,9 @@ impl Suite {
             return Err(SuiteError::Empty(self.root.join("fixtures")));
         }
         let known: BTreeSet<_> = fixtures.iter().chain(&goldens).cloned().collect();
+        if let Some(name) = known.iter().find(|name| is_of_artifacts(name)) {
+            return Err(SuiteError::Reserved(self.fixture_path(name)));
+        }
         let written: Vec<_> = filters.iter().map(|filter| name_among(&known, filter)).collect();
         let selected = filter::select(&known, &written, "cargo xtask list")?;
         let is_selected = |name: &String| filters.is_empty() || selected.contains(name);
@@ -136,6 +145,15 @@ impl Suite {
             fixtures: fixtures.iter().filter(|name| is_selected(name)).cloned().collect(),
         })
     }
+}
+
+/// Whether the pictures of this name would be in a folder where a check writes a
+/// file.
+fn is_of_artifacts(name: &str) -> bool {
+    const FILES: [&str; 2] = ["report.html", "CACHEDIR.TAG"];
+    let folder = name.split_once('/').map(|(folder, _)| folder);
+    // Some systems do not tell upper from lower case.
+    folder.is_some_and(|folder| FILES.iter().any(|file| folder.eq_ignore_ascii_case(file)))
 }
 
 /// The name in what may be a fixture's path, as completed by a shell.
@@ -230,6 +248,17 @@ mod tests {
         assert_eq!(error("sphere/fra"), hint);
         assert!(error("").contains("an empty filter"));
         assert!(error("zzzzzzzzzz").ends_with("`cargo xtask list` shows all names"));
+    }
+
+    #[test]
+    fn no_folder_is_in_the_way_of_a_checks_files() {
+        for name in ["fixtures/report.html/a.ron", "fixtures/CacheDir.Tag/b/a.ron"] {
+            let (_folder, suite) = suite(&[name]);
+            assert!(matches!(suite.select(&[]), Err(SuiteError::Reserved(_))), "{name}");
+        }
+        let fine = "fixtures/report.html.ron";
+        let (_folder, suite) = suite(&[fine, "fixtures/a/report.html/b.ron"]);
+        assert_eq!(suite.select(&[]).unwrap().fixtures.len(), 2);
     }
 
     #[test]

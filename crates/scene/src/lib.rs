@@ -31,6 +31,7 @@ mod load;
 mod mesh;
 mod places;
 mod report;
+mod visible;
 mod write;
 
 pub use assets::{Assets, MAX_ASSET_BYTES, MAX_SCENE_BYTES, NoAssets, check_path};
@@ -40,4 +41,5 @@ pub use load::{Check, Loaded, load, parse, recompile, span_of};
 pub use mesh::is_mesh;
 pub use places::{Place, object_places};
 pub use report::report;
+pub use visible::{is_invisible, visible};
 pub use write::write;

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::Problem;
+use crate::visible::{is_invisible, visible};
 
 /// The problems of the file `name`, one after the other, each as
 /// `name:line:column: message`, the line it is in with the place marked, and
@@ -40,11 +41,11 @@ pub fn report(name: &str, text: &str, problems: &[Problem]) -> String {
         let empty = " ".repeat(gutter.len());
         let indent = " ".repeat(column_shown - 1);
         // Writing to a String cannot fail.
-        let _ = writeln!(out, "{name}:{line_number}:{column}: {message}");
+        let _ = writeln!(out, "{name}:{line_number}:{column}: {}", visible(message));
         let _ = writeln!(out, "  {gutter} | {line}");
         let _ = writeln!(out, "  {empty} | {indent}{marks}");
         if let Some(help) = help {
-            let _ = writeln!(out, "  {empty} = help: {help}");
+            let _ = writeln!(out, "  {empty} = help: {}", visible(help));
         }
     }
     out
@@ -54,10 +55,10 @@ pub fn report(name: &str, text: &str, problems: &[Problem]) -> String {
 const EXCERPT: usize = 100;
 
 /// A line that is too long cut to what surrounds `column`, with the column in
-/// what is left; control characters become spaces so that the mark lines up.
+/// what is left; what is not seen itself becomes spaces so that the mark lines up.
 fn excerpt(line: &str, column: usize) -> (String, usize) {
     const BEFORE: usize = 40;
-    let plain = |c: char| if c.is_control() { ' ' } else { c };
+    let plain = |c: char| if is_invisible(c) { ' ' } else { c };
     let is_long = line.chars().nth(EXCERPT).is_some();
     let skipped = if is_long { column.saturating_sub(BEFORE) } else { 0 };
     let shown = line.chars().skip(skipped).take(EXCERPT).map(plain).collect::<String>();

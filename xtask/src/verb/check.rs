@@ -56,8 +56,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     // Before a line is printed, as a reader such as `head` ends the program.
     let reported = looked.write_report(&suite, &reader);
     let written = args.outputs.write(here, &suite, outcomes, elapsed_ms);
-    looked.say(&suite, &args.say, &reader);
-    args.outputs.say(here, &suite, outcomes, elapsed_ms)?;
+    args.outputs.to_people(|| looked.say(&suite, &args.say, &reader));
+    args.outputs.say(here, &suite, outcomes, elapsed_ms);
     written?;
     reported?;
     if !args.say.quiet {

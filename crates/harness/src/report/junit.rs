@@ -16,7 +16,7 @@ use crate::verdict::{Origin, Outcome, Verdict};
 /// read: the schema of Jenkins' xUnit plugin, by which this is valid as by
 /// `docs/schemas/junit.xsd`, lets a test case have no properties.
 pub fn junit(outcomes: &[Outcome], elapsed_ms: f64, reader: &Reader) -> String {
-    let mut areas: BTreeMap<&str, Vec<&Outcome>> = BTreeMap::new();
+    let mut areas: BTreeMap<String, Vec<&Outcome>> = BTreeMap::new();
     for outcome in outcomes {
         areas.entry(area_and_name(&outcome.name).0).or_default().push(outcome);
     }
@@ -29,7 +29,7 @@ pub fn junit(outcomes: &[Outcome], elapsed_ms: f64, reader: &Reader) -> String {
 fn write_suites(
     xml: &mut String,
     outcomes: &[Outcome],
-    areas: &BTreeMap<&str, Vec<&Outcome>>,
+    areas: &BTreeMap<String, Vec<&Outcome>>,
     elapsed_ms: f64,
     reader: &Reader,
 ) -> fmt::Result {
@@ -49,7 +49,7 @@ fn write_suites(
 
 fn write_case(xml: &mut String, outcome: &Outcome, reader: &Reader) -> fmt::Result {
     let (area, name) = area_and_name(&outcome.name);
-    let (area, name, time) = (attribute(area), attribute(name), seconds(spent_ms(outcome)));
+    let (area, name, time) = (attribute(&area), attribute(name), seconds(spent_ms(outcome)));
     write!(xml, "    <testcase classname=\"{area}\" name=\"{name}\" time=\"{time}\">")?;
     if let Some(element) = element(outcome.verdict) {
         let (kind, message) = (outcome.verdict.id(), attribute(&message(outcome)));
@@ -92,8 +92,11 @@ fn seconds(milliseconds: f64) -> String {
 }
 
 /// The folder that a fixture is in, and its name there.
-fn area_and_name(name: &str) -> (&str, &str) {
-    name.rsplit_once('/').unwrap_or(("fixtures", name))
+fn area_and_name(name: &str) -> (String, &str) {
+    match name.rsplit_once('/') {
+        Some((area, name)) => (format!("fixtures/{area}"), name),
+        None => ("fixtures".to_owned(), name),
+    }
 }
 
 /// The verdict and its first reason, in one line.
@@ -126,7 +129,8 @@ fn facts(outcome: &Outcome, reader: &Reader) -> String {
             lines.push(format!("[[PROPERTY|{name}={value}]]"));
         }
     }
-    if let Some(strip) = &outcome.strip {
+    // A path that would end the tag is left out.
+    if let Some(strip) = outcome.strip.as_ref().filter(|strip| !strip.contains("]]")) {
         lines.push(format!("[[ATTACHMENT|{}{strip}]]", reader.path_prefix));
     }
     lines.join("\n")
@@ -201,7 +205,7 @@ mod tests {
             "<testsuites name=\"goldray\" tests=\"4\" failures=\"1\" errors=\"2\" time=\"2.000000\">",
             "<testsuite name=\"a\" tests=\"2\" failures=\"1\" errors=\"0\" time=\"3.000500\" skipped=\"0\">",
             "<testsuite name=\"deep/er\" tests=\"1\" failures=\"0\" errors=\"1\"",
-            "<testcase classname=\"a\" name=\"x\" time=\"1.500250\">\n    </testcase>",
+            "<testcase classname=\"fixtures/a\" name=\"x\" time=\"1.500250\">\n    </testcase>",
             "<failure type=\"differs\" message=\"differs\">fixtures/a/y.ron\nif meant: cargo xtask bless a/y",
             "<testcase classname=\"fixtures\" name=\"top\"",
             "<error type=\"unreadable\"",

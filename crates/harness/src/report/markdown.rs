@@ -109,6 +109,10 @@ fn plain(text: &str) -> String {
     for c in text.trim_end().chars() {
         match c {
             '\n' => out.push_str("<br>"),
+            // GitHub makes links of `www.` and `GH-1`, unless there is something between.
+            '.' | '-' if ["www", "gh"].iter().any(|word| ends_in(&out, word)) => {
+                let _ = write!(out, "&#8203;{c}");
+            }
             c if c.is_control() => out.push('\u{fffd}'),
             c if SIGNS.contains(c) => {
                 let _ = write!(out, "&#{};", u32::from(c));
@@ -117,6 +121,12 @@ fn plain(text: &str) -> String {
         }
     }
     out
+}
+
+/// Whether the text ends in these letters, in upper or lower case.
+fn ends_in(text: &str, letters: &str) -> bool {
+    let end = text.len().checked_sub(letters.len()).and_then(|at| text.get(at..));
+    end.is_some_and(|end| end.eq_ignore_ascii_case(letters))
 }
 
 #[cfg(test)]
@@ -137,6 +147,7 @@ mod tests {
         check("`rm -rf`", "&#96;rm -rf&#96;");
         check("<img src=x>", "&#60;img src=x&#62;");
         check("@octocat", "&#64;&#8203;octocat");
+        check("see Www.a.b, gh-12", "see Www&#8203;.a.b, gh&#8203;-12");
         check("&lt;*_#$~[x](y)\\", "&#38;lt;&#42;&#95;&#35;&#36;&#126;&#91;x&#93;(y)&#92;");
         check("a:100:b", "a&#58;&#8203;100&#58;&#8203;b");
         check("one\ntwo\n", "one<br>two");

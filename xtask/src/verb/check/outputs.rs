@@ -1,6 +1,7 @@
 //! `Outputs`: what a check writes for others to read: files, and what a build
 //! server shows.
 
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::{Path, PathBuf};
 
 use harness::report::{Reader, annotations, junit, markdown, run_json};
@@ -35,8 +36,15 @@ impl Outputs {
     /// Refuses files that cannot be written, before the work of rendering.
     pub(crate) fn may_write(&self, here: &Here) -> Result<(), CannotAsk> {
         let files = [&self.json, &self.junit, &self.summary];
-        files.into_iter().flatten().try_for_each(|file| here.may_write(file))?;
-        self.step_summary().map_or(Ok(()), |file| here.may_write(&file))
+        let files: Vec<_> = files.into_iter().flatten().collect();
+        for (i, file) in files.iter().enumerate() {
+            here.may_write(file)?;
+            if files[..i].iter().any(|other| store::is_inside(file, other)) {
+                let what = "expected a file for each output, found it named for two";
+                return Err(CannotAsk::file(file, what));
+            }
+        }
+        Ok(())
     }
 
     /// Writes the files that are asked for.
@@ -65,23 +73,27 @@ impl Outputs {
         Ok(())
     }
 
+    /// Prints what is meant for people. GitHub's runner is told to take none of it
+    /// for a command: names and texts of fixtures are in it.
+    pub(crate) fn to_people(&self, print: impl FnOnce()) {
+        if !self.is_github() {
+            return print();
+        }
+        // Another word each time, which no fixture knows.
+        let word = format!("goldray-{:016x}", RandomState::new().build_hasher().finish());
+        println!("::stop-commands::{word}");
+        print();
+        println!("::{word}::");
+    }
+
     /// Says on GitHub what its runner shows, beside the lines and as the step's
     /// summary.
-    ///
-    /// # Errors
-    /// There is no such place as the repository.
-    pub(crate) fn say(
-        &self,
-        here: &Here,
-        suite: &Suite,
-        outcomes: &[Outcome],
-        elapsed_ms: f64,
-    ) -> Result<(), CannotAsk> {
+    pub(crate) fn say(&self, here: &Here, suite: &Suite, outcomes: &[Outcome], elapsed_ms: f64) {
         if !self.is_github() {
-            return Ok(());
+            return;
         }
         let reader = here.reader(suite);
-        let in_repository = Reader { path_prefix: in_repository(suite)?, ..reader.clone() };
+        let in_repository = Reader { path_prefix: in_repository(suite), ..reader.clone() };
         print!("{}", annotations(outcomes, &in_repository));
         if let Some(path) = self.step_summary() {
             // The user named no such file: what becomes of it changes no answer.
@@ -90,7 +102,6 @@ impl Outputs {
                 println!("the summary of this step could not be added to: {why}");
             }
         }
-        Ok(())
     }
 
     fn is_github(&self) -> bool {
@@ -115,15 +126,17 @@ fn add(here: &Here, path: &Path, page: &dyn Fn(usize) -> Option<String>) -> Resu
 }
 
 /// What is before a path of the suite where paths are relative to the
-/// repository: that of the runner, or else the current folder.
-fn in_repository(suite: &Suite) -> Result<String, CannotAsk> {
-    let workspace = std::env::var_os("GITHUB_WORKSPACE").map(PathBuf::from);
-    let repository = workspace.map_or_else(std::env::current_dir, Ok)?;
-    let (repository, root) = (store::real_path(&repository)?, store::real_path(suite.root())?);
-    Ok(match root.strip_prefix(&repository) {
+/// repository: that of the runner, or else the current folder. A suite that is
+/// not in it is named in full.
+fn in_repository(suite: &Suite) -> String {
+    let workspace = std::env::var_os("GITHUB_WORKSPACE").filter(|folder| !folder.is_empty());
+    let repository = workspace.map(PathBuf::from).or_else(|| std::env::current_dir().ok());
+    let repository = repository.and_then(|folder| store::real_path(&folder).ok());
+    let root = store::real_path(suite.root()).unwrap_or_else(|_| suite.root().to_owned());
+    match repository.and_then(|folder| root.strip_prefix(folder).map(Path::to_owned).ok()) {
         // With slashes, whatever the system has.
-        Ok(inside) => inside.iter().map(|part| part.to_string_lossy() + "/").collect(),
-        // A suite elsewhere is named in full; joining nothing ends it in a slash.
-        Err(_) => root.join("").display().to_string(),
-    })
+        Some(inside) => inside.iter().map(|part| part.to_string_lossy() + "/").collect(),
+        // Joining nothing ends it in a slash.
+        None => root.join("").display().to_string(),
+    }
 }

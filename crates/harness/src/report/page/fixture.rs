@@ -16,6 +16,9 @@ use crate::store;
 use crate::suite::Suite;
 use crate::verdict::{Outcome, shell_word};
 
+/// The largest golden that is put into the page, in bytes: 64 MiB.
+const MAX_GOLDEN_BYTES: usize = 64 << 20;
+
 /// What the page has of a fixture, or of a golden without one.
 pub(super) struct Shown {
     /// What a run's JSON has of it, and more.
@@ -42,6 +45,7 @@ pub(super) fn shown(suite: &Suite, outcome: &Outcome, has_linear: bool, reader: 
     let source = store::read(&suite.fixture_path(name), MAX_SCENE_BYTES as u64).ok().flatten();
     let source = source.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let golden = read_golden(&suite.golden_path(name)).ok().flatten();
+    let golden = golden.filter(|golden| golden.len() <= MAX_GOLDEN_BYTES);
     let evidence = outcome.evidence.as_deref();
     let file = source.as_deref().and_then(scene::parse::<Check>);
     let more = json!({
