@@ -42,7 +42,7 @@ function isAnswered([question, note], { yes }) {
     element(
       "div",
       { class: "answers" },
-      button(yes, answer("yes"), { class: "accept", autofocus: true }),
+      button(yes, answer("yes"), { class: "yes", autofocus: true }),
       button("Cancel", answer("no")),
     ),
   );

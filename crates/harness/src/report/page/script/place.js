@@ -6,20 +6,24 @@ const FRAMES_TO_SETTLE = 6;
 
 const overviewPlace = {
   scroll: 0,
-  // How far below the top of the window the card was that was opened.
+  // How far below the top of the window the card was that was opened; null where
+  // it was not seen, as when a link has led elsewhere.
   top: null,
 
   keep(name) {
     const card = cards.get(fixtureByName.get(name)?.index)?.root;
+    const { top, bottom } = card?.getBoundingClientRect() ?? {};
     this.scroll = window.scrollY;
-    this.top = card?.isConnected ? card.getBoundingClientRect().top : null;
+    this.top = card?.isConnected && bottom > 0 && top < window.innerHeight ? top : null;
   },
 
   // Puts the card of `fixture` there, be it the one that was opened or a later one.
   restore(fixture) {
     const card = cards.get(fixture?.index)?.root;
     window.scrollTo(0, this.scroll);
-    if (card?.isConnected && this.top !== null) settle(card, this.top, FRAMES_TO_SETTLE);
+    if (!card?.isConnected) return;
+    if (this.top === null) card.scrollIntoView({ block: "nearest" });
+    else settle(card, this.top, FRAMES_TO_SETTLE);
   },
 };
 

@@ -7,11 +7,10 @@ const DONE_WORDS = { accept: "accepted", reject: "rejected", undo: "undone" };
 function decisionWords(action, names, before, { decisions, messages }) {
   const wanted = { accept: "accepted", reject: "rejected", undo: undefined }[action];
   const not = names.filter((name) => decisions[name] !== wanted).length;
-  const done = names.filter(
-    (name) => decisions[name] === wanted && before[name] !== wanted,
-  ).length;
-  const words = `${count(done)} ${DONE_WORDS[action]}`;
-  const said = not > 0 ? `${words}, ${count(not)} not${messages.length > 0 ? ":" : "."}` : `${words}.`;
+  const isNew = (name) => decisions[name] === wanted && before[name] !== wanted;
+  const done = `${count(names.filter(isNew).length)} ${DONE_WORDS[action]}`;
+  const words = not > 0 ? `${done}, ${count(not)} not` : done;
+  const said = `${words}${not > 0 && messages.length > 0 ? ":" : "."}`;
   return { said, why: messages, isAlone: names.length === 1 };
 }
 
@@ -36,7 +35,9 @@ function showMessages(said, why) {
     element(
       "ul",
       {},
-      why.map((message) => element("li", {}, message)),
+      why.map((message) =>
+        element("li", { class: message.includes("\n") ? "is-report" : null }, message),
+      ),
     ),
   );
   byId("messages").replaceChildren(...(said || why.length > 0 ? [words, close] : []));
