@@ -59,7 +59,7 @@ function placeLink({ line, column }) {
   const words = `line ${line}${Number.isInteger(column) ? `, column ${column}` : ""}`;
   return element(
     "p",
-    { class: "note" },
+    { class: "led" },
     "In the source: ",
     button(words, () => showLine(line), { class: "link" }),
   );
