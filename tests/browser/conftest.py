@@ -45,22 +45,47 @@ def suite_page(name, make, expected):
 
 broken_page = suite_page("broken", lambda root, _: suites.broken(root), 1)
 odd_page = suite_page("odd", suites.odd, 1)
+unreadable_page = suite_page("unreadable", lambda root, _: suites.unreadable(root), 1)
 green_page = suite_page("green", lambda root, _: suites.green(root), 0)
 many_page = suite_page("many", lambda root, _: suites.many(root, MANY), 1)
+
+
+def changed_page(page, name, change):
+    """A page with another report in it."""
+    text = page.read_text()
+    report = json.loads(re.search(r'id="report">(.*?)</script>', text)[1])
+    change(report)
+    told = json.dumps(report).replace("<", "\\u003c")
+    text = re.sub(r'id="report">.*?</script>', lambda _: f'id="report">{told}</script>', text)
+    path = page.parent / f"{name}.html"
+    path.write_text(text)
+    return path
 
 
 @pytest.fixture(scope="session")
 def empty_page(green_page):
     """The page of a run over nothing: a check refuses it, a watch may come to it."""
-    text = green_page.read_text()
-    report = json.loads(re.search(r'id="report">(.*?)</script>', text)[1])
-    report["fixtures"] = []
-    report["summary"] = {key: 0 for key in report["summary"]} | {"green": False}
-    text = re.sub(r'<script type="application/json" id="fixture-.*?</script>', "", text)
-    text = re.sub(r'id="report">.*?</script>', lambda _: f'id="report">{json.dumps(report)}</script>', text)
-    path = green_page.parent / "empty.html"
+
+    def change(report):
+        report["fixtures"] = []
+        report["summary"] = {key: 0 for key in report["summary"]} | {"green": False}
+
+    path = changed_page(green_page, "empty", change)
+    text = re.sub(r'<script type="application/json" id="fixture-.*?</script>', "", path.read_text())
     path.write_text(text)
     return path
+
+
+@pytest.fixture(scope="session")
+def ranked_page(broken_page):
+    """A page whose report says which verdicts are graver: those later in the alphabet."""
+
+    def change(report):
+        ids = sorted((verdict["id"] for verdict in report["verdicts"]), reverse=True)
+        for fixture in report["fixtures"]:
+            fixture["rank"] = ids.index(fixture["verdict"])
+
+    return changed_page(broken_page, "ranked", change)
 
 
 @pytest.fixture(scope="session")

@@ -22,6 +22,7 @@ ORPHAN = "disk/gone for good"
 WRONG_SIZE = "cone/oblique"
 REFUSED = "torus/annulus"
 EXPECTATION = "show/silhouette"
+UNREADABLE = "sphere/tangent"
 MATCHES = ["encoding/srgb-ramp", "mesh/knot-flat", "scene/balls-on-floor", "sphere/tangent"]
 
 # A name as bad as a file system allows, and one as long.
@@ -214,6 +215,12 @@ def every_code(path):
     info = PngImagePlugin.PngInfo()
     info.add(b"gAMA", struct.pack(">I", 100_000))
     Image.fromarray((ramp * 7 // 3 % 256).astype("uint8")).save(path, pnginfo=info)
+
+
+def unreadable(root):
+    """A golden that is no picture."""
+    copy(root, UNREADABLE)
+    golden_path(root, UNREADABLE).write_bytes(b"no picture at all " * 20)
 
 
 def green(root):

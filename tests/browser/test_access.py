@@ -100,3 +100,20 @@ def test_all_by_keyboard(open_page, broken_page):
         "CODE",
         "OL",
     } <= reached
+
+
+def test_the_table_of_a_pixel_on_a_phone(open_page, broken_page):
+    look = open_page(broken_page, width=360, height=740).fixture(suites.DIFFERS)
+    for words in ("Worst FLIP", "First differing"):
+        look.page.click(f"text={words}")
+        cut = look.page.eval_on_selector_all(
+            ".readout :is(td, th)",
+            "(all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.textContent)",
+        )
+        assert cut == []
+
+
+def test_the_header_of_a_phone_has_two_rows(open_page, broken_page):
+    look = open_page(broken_page, width=360, height=740).go()
+    tops = {round(look.page.locator(one).bounding_box()["y"]) for one in (".brand", "#theme", "#show-keys")}
+    assert len(tops) == 1, "one without a review"

@@ -41,4 +41,13 @@ def test_the_page_may_ask_for_nothing():
     assert parts["default-src"] == "'none'" and parts["connect-src"] == "'self'"
     assert parts["img-src"] == "data: blob:"
     assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)", (PAGE / "page.html").read_text())
-    assert "url(" not in (PAGE / "style.css").read_text()
+    for style in PAGE.glob("*.css"):
+        assert "url(" not in style.read_text()
+
+
+def test_every_style_is_in_the_page_once_and_one_idea_long():
+    named = re.findall(r'include_str!\("([^"]+\.css)"\)', (PAGE / "assets.rs").read_text())
+    assert sorted(named) == sorted(path.name for path in PAGE.glob("*.css")) and len(named) == 3
+    for name in named:
+        text = (PAGE / name).read_text()
+        assert text.startswith("/* ") and len(text.splitlines()) <= 250, name

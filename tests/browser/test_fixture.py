@@ -55,9 +55,12 @@ def test_metrics_are_held_against_limits(open_page, broken_page):
     assert look.text("[data-metric=max_abs] td:nth-child(2)").split()[0] == str(fixture["max_abs"])
     look.page.click("[data-metric=max_abs] summary")
     metric = next(one for one in look.report()["metrics"] if one["name"] == "max_abs")
-    told = look.text("[data-metric=max_abs] details")
-    assert f"Measures {metric['measures']}. Range: {metric['range']}; lower is closer." in told
-    assert f"Blind to: {metric['blind_spot']}" in told
+    said = look.texts("[data-metric=max_abs] details p")
+    assert said == [
+        f"Measures {metric['measures']}.",
+        f"Range: {metric['range']}; lower is closer.",
+        f"Blind to: {metric['blind_spot']}.",
+    ]
     assert len(look.texts(".metrics tbody tr")) == len(look.report()["metrics"])
 
 
@@ -174,3 +177,56 @@ def test_light_and_dark(temple):
     assert paper() != light, "the choice holds over a reload"
     temple.page.click("#theme")
     assert paper() == light
+
+
+@pytest.mark.parametrize(
+    "name, words", [(suites.EXPECTATION, "expected here"), (suites.REFUSED, "refused here")]
+)
+def test_the_place_of_a_failure_is_marked_and_led_to(open_page, broken_page, axe, name, words):
+    look = open_page(broken_page).fixture(name)
+    line, column = entry(look, name)["line"], entry(look, name)["column"]
+    assert look.texts(".source .is-named .blame-note") == [words]
+    assert look.page.locator(".source .is-named").get_attribute("id") == f"line-{line}"
+    look.page.click(f".findings button:has-text('line {line}, column {column}')")
+    assert look.page.locator(".source .is-shown").get_attribute("id") == f"line-{line}"
+    axe(look)
+
+
+def test_a_blamed_line_is_not_marked_twice(temple):
+    assert entry(temple, suites.DIFFERS)["line"] is not None
+    assert temple.page.locator(".source .is-named").count() == 0
+
+
+@pytest.mark.parametrize("width", [1280, 360])
+def test_what_a_refused_fixture_is_told_is_read_without_scrolling(open_page, broken_page, width):
+    look = open_page(broken_page, width=width).fixture(suites.REFUSED)
+    report = look.page.locator(".findings pre")
+    assert report.evaluate("(pre) => pre.scrollWidth <= pre.clientWidth")
+    box, main = report.bounding_box(), look.page.locator("#main").bounding_box()
+    assert box["width"] > main["width"] - 80
+    assert box["y"] < look.page.locator(".source").bounding_box()["y"]
+
+
+def test_the_share_of_blame_says_of_what_it_is(temple):
+    assert "share of the sum of all differences of codes" in temple.text(".blame h2")
+
+
+def test_the_golden_that_is_no_picture_is_as_one_that_is_not_there(open_page, unreadable_page, axe):
+    look = open_page(unreadable_page).go()
+    look.page.wait_for_function("() => document.querySelector('.frame img')?.naturalWidth > 0")
+    look.fixture(suites.UNREADABLE)
+    assert entry(look, suites.UNREADABLE)["verdict"] == "unreadable"
+    disabled = look.page.eval_on_selector_all(
+        ".views [aria-disabled]", "(all) => all.map((one) => one.dataset.view)"
+    )
+    assert disabled == ["sides", "blink", "swipe", "difference", "ssim", "flip", "threshold", "golden"]
+    for view in disabled:
+        title = look.page.get_attribute(f"[data-view={view}]", "title")
+        assert title == "Not here: the golden cannot be read"
+    assert "the golden cannot be read" in look.text(".viewer .note")
+    expected = suites.codes(suites.golden_path(suites.REPOSITORY, suites.UNREADABLE))
+    assert look.texts(".views [aria-pressed=true]") == ["Actual"]
+    assert (look.seen() == expected).all()
+    look.press("8")
+    assert look.texts(".views [aria-pressed=true]") == ["Objects"]
+    axe(look)

@@ -168,3 +168,55 @@ def test_two_thousand_fixtures(open_page, many_page, capsys, shoot):
     look.page.wait_for_function(
         "() => document.querySelector('.card:last-child .frame img')?.naturalWidth > 0"
     )
+
+
+def test_failures_first_are_the_gravest_first_where_the_report_says_so(open_page, ranked_page):
+    look = open_page(ranked_page).go()
+    fixtures = {one["name"]: one for one in look.report()["fixtures"]}
+    ranks = [fixtures[name]["rank"] for name in look.names()]
+    assert ranks == sorted(ranks) and len(set(ranks)) > 5
+    differing = [
+        fixtures[name]["flip_mean"] for name in look.names() if fixtures[name]["verdict"] == "differs"
+    ]
+    assert differing == sorted(differing, reverse=True), "then by distance"
+
+
+def test_no_time_is_told_of_what_was_not_rendered(look):
+    look.page.select_option("#sort", "time")
+    for name in (suites.REFUSED, suites.ORPHAN):
+        assert look.text(f".card[data-name='{name}'] .number") == ""
+        look.fixture(name)
+        assert "rendered in" not in look.text(".fixture-header .line")
+        look.press("Escape")
+    look.fixture(suites.DIFFERS)
+    assert "rendered in" in look.text(".fixture-header .line")
+
+
+@pytest.mark.parametrize("way", ["key", "back"])
+@pytest.mark.parametrize("at", [0.3, 0.9])
+def test_the_way_back_leads_to_the_card_where_it_was(open_page, many_page, way, at):
+    look = open_page(many_page).go()
+    middle = int(MANY * at)
+    card = look.page.locator(f".card:nth-child({middle})")
+    card.scroll_into_view_if_needed()
+    look.page.mouse.wheel(0, 3210)
+    look.page.wait_for_timeout(300)
+    name = look.page.evaluate("document.elementFromPoint(300, 400).closest('.card')?.dataset.name")
+
+    def top():
+        return look.page.evaluate(
+            "(name) => document.querySelector(`.card[data-name='${name}']`).getBoundingClientRect().top", name
+        )
+
+    for _ in range(3):
+        before = top()
+        assert 0 < before + 200 < 900
+        look.page.click(f".card[data-name='{name}'] a")
+        look.page.wait_for_selector(".viewer")
+        if way == "key":
+            look.press("Escape")
+        else:
+            look.page.go_back()
+        look.page.wait_for_selector(".sheet")
+        look.page.wait_for_timeout(300)
+        assert top() == pytest.approx(before, abs=2)

@@ -128,6 +128,9 @@ def test_an_orphan_is_accepted_by_removing_it(review):
     review.fixture(suites.ORPHAN)
     review.page.wait_for_selector(".accept:enabled")
     review.press("a")
+    review.page.wait_for_selector("#confirm[open]")
+    assert review.text("#confirm h2") == f"Remove 1 golden without a fixture: {suites.ORPHAN}?"
+    review.press("Enter")
     wait_for_decision(review, suites.ORPHAN, "accepted")
     assert goldens(root).keys() == before.keys() - {suites.ORPHAN}
     review.press("u")
@@ -187,7 +190,15 @@ def test_a_selection_is_decided_at_once(serve, open_page, axe, shoot, colors):
     axe(look)
     shoot(look, f"review-selection-{colors}")
     look.page.click(".batch .accept")
+    look.page.wait_for_selector("#confirm[open]")
+    axe(look)
+    shoot(look, f"review-question-{colors}")
+    look.press("Enter")
     progress(look, "2 of 10 decided")
+    assert look.text("#messages p") == "2 accepted, 1 not:"
+    assert look.texts("#messages li")[0].startswith(f"{suites.EXPECTATION} is not accepted: ")
+    assert look.page.text_content("#spoken").startswith(f"2 accepted, 1 not: {suites.EXPECTATION} is not")
+    axe(look)
     assert changed(before, goldens(server.root)) == {suites.DIFFERS, suites.DIFFERS_SLIGHTLY}
     look.page.click("text=Select none")
     assert look.text(".batch .words") == "0 selected"
@@ -196,7 +207,63 @@ def test_a_selection_is_decided_at_once(serve, open_page, axe, shoot, colors):
     assert look.text(".batch .words") == "10 selected"
     look.page.click(".batch .undo")
     progress(look, "0 of 10 decided")
+    assert look.text("#messages").startswith("2 undone.")
     assert goldens(server.root) == before
+
+
+def test_many_are_not_accepted_without_a_word(review):
+    before = goldens(review.server.root)
+    review.page.click("text=Select all shown")
+    review.page.focus(".batch .accept")
+    review.press("a")
+    review.page.wait_for_selector("#confirm[open]")
+    assert review.text("#confirm h2") == "Accept 7 pictures as goldens?"
+    assert review.text("#confirm p").startswith(f"1 golden without a fixture is removed: {suites.ORPHAN}.")
+    assert review.page.evaluate("document.activeElement.textContent") == "Accept"
+    review.press("a", "r", "u", "Escape")
+    assert not review.page.locator("#confirm").is_visible()
+    assert review.page.evaluate("document.activeElement.dataset.action") == "accept", "the focus is back"
+    review.page.click(".batch .accept")
+    review.page.click("#confirm button:has-text('Cancel')")
+    review.page.wait_for_timeout(300)
+    assert goldens(review.server.root) == before
+    assert review.text("#progress") == "0 of 10 decided"
+
+
+def test_what_is_accepted_can_be_rejected_and_the_other_way(review):
+    root = review.server.root
+    before = goldens(root)
+    review.fixture(suites.DIFFERS)
+    review.page.wait_for_selector(".accept:enabled")
+    assert any(" bless " in command for command in review.texts(".command:visible code"))
+    review.press("a")
+    wait_for_decision(review, suites.DIFFERS, "accepted")
+    assert not any(" bless " in command for command in review.texts(".command:visible code"))
+    assert goldens(root) != before
+    review.page.click(".reject")
+    wait_for_decision(review, suites.DIFFERS, "rejected")
+    assert goldens(root) == before
+    assert review.page.locator(".reject").is_disabled()
+    assert not any(" bless " in command for command in review.texts(".command:visible code"))
+    review.page.click(".accept")
+    wait_for_decision(review, suites.DIFFERS, "accepted")
+    review.press("r")
+    wait_for_decision(review, suites.DIFFERS, "rejected")
+    assert goldens(root) == before
+    review.press("u")
+    wait_for_decision(review, suites.DIFFERS, "")
+    assert any(" bless " in command for command in review.texts(".command:visible code"))
+
+
+def test_the_header_of_a_review_on_a_phone_is_two_rows(serve, open_page):
+    look = open_page(serve("review").url, width=360, height=740).go()
+    look.page.wait_for_function("() => document.querySelector('#progress').textContent !== ''")
+    tops = [
+        look.page.locator(one).bounding_box()["y"] for one in (".brand", "#theme", "#show-keys", "#progress")
+    ]
+    assert round(tops[0]) == round(tops[1]) == round(tops[2]) < tops[3]
+    assert look.page.locator(".bar").bounding_box()["height"] < 80
+    assert look.page.locator(".batch").bounding_box()["height"] < 90
 
 
 def test_cards_are_selected_and_decided_by_keys(review):

@@ -463,3 +463,61 @@ def test_two_fingers_pinch(open_page, broken_page):
     assert look.text(".readout .place").startswith(
         ("x 80, y 60", "x 79, y 60", "x 80, y 59", "x 79, y 59")
     ), "it stays between them"
+
+
+def scroll_of(look):
+    look.page.wait_for_timeout(300)
+    return look.page.evaluate("scrollY")
+
+
+def test_the_wheel_stops_at_the_whole_picture_and_then_scrolls_the_page(temple):
+    temple.point(20, 20)
+    fitted = temple.scale()
+    temple.page.mouse.wheel(0, -300)
+    temple.page.wait_for_function(
+        "(scale) => Number(document.querySelector('.zoomed').dataset.scale) > scale", arg=fitted
+    )
+    at = scroll_of(temple)
+    temple.page.mouse.wheel(0, 900)
+    assert scroll_of(temple) == at and temple.scale() == fitted
+    assert temple.page.locator(".stage.is-fitted").count() == 1
+    temple.page.mouse.wheel(0, 120)
+    assert scroll_of(temple) > at and temple.scale() == fitted
+
+
+@pytest.mark.parametrize("name, first, last", [("ssim", "1 alike", "0 and below: nothing alike")])
+def test_a_legend_says_its_ends(temple, name, first, last):
+    temple.page.click(f"[data-view={name}]")
+    words = temple.text(".legend")
+    assert words.startswith(first) and words.endswith(last)
+
+
+def test_every_object_of_the_legend_is_seen(temple):
+    temple.press("8")
+    legend = temple.page.locator(".objects")
+    assert temple.page.locator(".objects li").count() > 10
+    assert legend.evaluate("(list) => list.scrollHeight <= list.clientHeight")
+
+
+def test_keys_and_buttons_zoom_about_the_pixel_that_is_kept(temple):
+    temple.press("p")
+    temple.point(30, 90)
+    temple.page.mouse.down()
+    temple.page.mouse.up()
+    temple.page.mouse.move(1, 1)
+    box = temple.canvas().bounding_box()
+    x, y = temple.place(30, 90)
+    temple.press("+", "+", "+", "+")
+    temple.page.click("[aria-label=Larger]")
+    assert temple.scale() >= 16
+    temple.page.mouse.move(x, y)
+    assert temple.text(".readout .place").startswith("x 30, y 90"), "it stays where it is"
+    temple.page.mouse.move(box["x"] + 10, box["y"] + box["height"] / 2)
+    temple.page.mouse.down()
+    temple.page.mouse.move(box["x"] + box["width"] - 10, box["y"] + box["height"] / 2, steps=3)
+    temple.page.mouse.up()
+    temple.press("+")
+    left = temple.page.evaluate("document.querySelector('.readout .place').textContent")
+    assert left  # out of view it is brought back, and only then made larger
+    drawn = temple.drawn()
+    assert (drawn == (255, 255, 255)).all(axis=2).any(), "its frame is seen"

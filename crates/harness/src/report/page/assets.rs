@@ -3,8 +3,9 @@
 /// The page, with a place for the title, the style, the data and the script.
 pub(super) const PAGE: &str = include_str!("page.html");
 
-/// How it looks.
-pub(super) const STYLE: &str = include_str!("style.css");
+/// How it looks; a later one overrides.
+pub(super) const STYLE: &str =
+    concat!(include_str!("style.css"), include_str!("fixture.css"), include_str!("narrow.css"));
 
 /// What it does: parts of one function, in this order.
 pub(super) const SCRIPTS: &[&str] = &[
@@ -38,12 +39,15 @@ pub(super) const SCRIPTS: &[&str] = &[
     include_str!("script/source.js"),
     include_str!("script/facts.js"),
     include_str!("script/metrics.js"),
+    include_str!("script/told.js"),
+    include_str!("script/confirm.js"),
     include_str!("script/review.js"),
     include_str!("script/card.js"),
     include_str!("script/headline.js"),
     include_str!("script/filters.js"),
     include_str!("script/batch.js"),
     include_str!("script/overview.js"),
+    include_str!("script/place.js"),
     include_str!("script/fixture.js"),
     include_str!("script/keys.js"),
     include_str!("script/main.js"),

@@ -14,7 +14,7 @@ const pictureObserver = new IntersectionObserver(
   { rootMargin: COMING_INTO_VIEW },
 );
 
-// Today's picture, or else the golden.
+// Today's picture, or else the golden, which may be no picture at all.
 function showPicture(frame, fixture) {
   const evidence = evidenceOf(fixture);
   const base64 = evidence.actual ?? evidence.golden;
@@ -23,6 +23,7 @@ function showPicture(frame, fixture) {
         alt: "",
         src: `data:image/png;base64,${base64}`,
         load: sharpen,
+        error: () => frame.replaceChildren("no picture"),
         decoding: "async",
       })
     : "no picture";

@@ -61,10 +61,21 @@ async function decodeObjects(objects) {
   return { places: objects.places, numbers };
 }
 
+// A golden that cannot be read is a verdict of its own: there is then none, and
+// the rest is seen as well as without one.
+async function decodeGolden(fixture, evidence) {
+  if (fixture.verdict === "unreadable") return null;
+  try {
+    return await decodePng(evidence.golden);
+  } catch {
+    return null;
+  }
+}
+
 // All pictures of a fixture, decoded; null is what there is not.
 async function loadPictures(fixture, evidence) {
   const [golden, actual, ssim, flip, linear, objects] = await Promise.all([
-    decodePng(evidence.golden),
+    decodeGolden(fixture, evidence),
     decodePng(evidence.actual),
     decodePng(evidence.ssim),
     decodePng(evidence.flip),
@@ -72,7 +83,9 @@ async function loadPictures(fixture, evidence) {
     decodeObjects(evidence.objects),
   ]);
   const both = { golden, actual: isLeftOut(fixture, evidence) ? golden : actual };
-  return { ...both, isGolden: isSame(both.golden, both.actual), ssim, flip, linear, objects };
+  const isUnreadable = golden === null && Boolean(evidence.golden);
+  const isGolden = isSame(both.golden, both.actual);
+  return { ...both, isGolden, isUnreadable, ssim, flip, linear, objects };
 }
 
 // Whether two pictures are there and have the same codes.

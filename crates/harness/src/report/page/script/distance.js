@@ -27,6 +27,11 @@ function fartherFirst(a, b) {
   return at < 0 ? 0 : right[at] - left[at];
 }
 
+// Whether this run has made a picture, a match's included, which is its golden.
+function wasRendered(fixture) {
+  return !fixture.cached && (fixture.has_actual || !hasFailed(fixture));
+}
+
 function timeOf(fixture) {
   return (fixture.render_ms ?? 0) + (fixture.compare_ms ?? 0) + (fixture.relate_ms ?? 0);
 }

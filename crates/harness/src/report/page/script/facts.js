@@ -12,7 +12,8 @@ function section(id, title, ...children) {
   );
 }
 
-function findingsSection({ findings, breaks_expectations, breaks_relations }) {
+function findingsSection(fixture, hasSource) {
+  const { findings, breaks_expectations, breaks_relations, line } = fixture;
   if (findings.length === 0) return null;
   const list = (part) =>
     element(
@@ -38,18 +39,39 @@ function findingsSection({ findings, breaks_expectations, breaks_relations }) {
     findings.length === 1 ? "Finding" : "Findings",
     list(findings.slice(0, FINDINGS_SHOWN)),
     more,
+    hasSource && Number.isInteger(line) ? placeLink(fixture) : null,
     word,
   );
 }
 
 // What has lines points into a source by carets, so it keeps its columns.
 function findingText(finding) {
-  return finding.includes("\n") ? element("pre", { tabindex: "0" }, finding) : finding;
+  return finding.includes("\n") ? element("pre", {}, finding) : finding;
+}
+
+// Of what was never rendered, what is said is all there is to see, and wide.
+function isReport({ findings, has_actual }) {
+  return !has_actual && findings.some((finding) => finding.includes("\n"));
+}
+
+// To where in the source it is to be looked for.
+function placeLink({ line, column }) {
+  const words = `line ${line}${Number.isInteger(column) ? `, column ${column}` : ""}`;
+  return element(
+    "p",
+    { class: "led" },
+    "In the source: ",
+    button(words, () => showLine(line), { class: "link" }),
+  );
 }
 
 function blameSection({ blamed }) {
   if (blamed.length === 0) return null;
-  return section("blame", "The difference lies on", element("ul", {}, blamed.map(blameEntry)));
+  const title = [
+    "The difference lies on",
+    element("span", { class: "of" }, " (share of the sum of all differences of codes)"),
+  ];
+  return section("blame", title, element("ul", {}, blamed.map(blameEntry)));
 }
 
 function blameEntry({ kind, line, pixels, share }) {
@@ -78,6 +100,13 @@ function commandsSection(fixture) {
     ]);
   const rows = entries.filter(Boolean).map(([words, command]) => commandRow(words, command));
   return rows.length > 0 ? section("commands", "Commands", rows) : null;
+}
+
+// Once it is decided here, nothing is left to be typed that decides it.
+function hideRemedy(side, fixture) {
+  const isDecided = Boolean(review.decisions[fixture.name]);
+  for (const row of side.querySelectorAll(".command"))
+    row.hidden = isDecided && row.querySelector("code").textContent === fixture.command;
 }
 
 function commandRow(words, command) {

@@ -11,10 +11,13 @@ function makeFixturePage(fixture, view) {
     { class: "pictures" },
     element("p", { class: "empty" }, "Reading the pictures…"),
   );
+  const hasSource = typeof evidence.source === "string";
+  const findings = findingsSection(fixture, hasSource);
+  const isWide = isReport(fixture);
   const side = element(
     "div",
     { class: "side" },
-    findingsSection(fixture),
+    isWide ? null : findings,
     blameSection(fixture),
     metricsSection(fixture),
     commandsSection(fixture),
@@ -31,13 +34,15 @@ function makeFixturePage(fixture, view) {
   const decided = () => {
     markDecision(decision, fixture.name);
     decisions?.update();
+    hideRemedy(side, fixture);
   };
   decided();
   const forget = onDecisions(decided);
   page.root = [
     fixtureHeader(fixture, decision, decisions?.root),
+    isWide ? findings : null,
     element("div", { class: "columns" }, pictures, side, sourceSection(fixture, evidence.source)),
-  ];
+  ].filter(Boolean);
   page.close = () => {
     page.isClosed = true;
     page.viewer?.close();
@@ -110,7 +115,7 @@ function fixtureFacts(fixture) {
     : null;
   const time = fixture.cached
     ? "unchanged since its last match"
-    : timeOf(fixture) > 0
+    : wasRendered(fixture)
       ? `rendered in ${duration(fixture.render_ms)}`
       : null;
   return [size, differing, time, fixture.audited ? "an audit" : null].filter(Boolean).join(" · ");

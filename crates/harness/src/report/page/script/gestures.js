@@ -28,11 +28,17 @@ function listenToPane(canvas, moves) {
   listenToPointers(canvas, moves);
 }
 
+// Never below the whole picture: from there on the wheel is the page's, as is one
+// that scrolls the page already, which cannot be taken from it.
 function zoomByWheel(canvas, event, viewport) {
+  const isOfPage = event.deltaY > 0 && viewport.isWhole();
+  if (isOfPage || event.deltaY === 0 || !event.cancelable) return;
   event.preventDefault();
   const pixels =
     event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * WHEEL_LINE_PIXELS : event.deltaY;
-  viewport.zoom(2 ** (-pixels / WHEEL_PIXELS_PER_DOUBLING), pointIn(canvas, event));
+  const factor = 2 ** (-pixels / WHEEL_PIXELS_PER_DOUBLING);
+  if (factor < 1 && viewport.scale * factor <= viewport.wholeScale()) viewport.fit();
+  else viewport.zoom(factor, pointIn(canvas, event));
 }
 
 // Close to where it was clicked, or back to the whole picture.

@@ -43,14 +43,14 @@ const KEYS = [
     shown: "+",
     words: "larger",
     page: "fixture",
-    act: () => current.viewer?.viewport.step(true),
+    act: () => current.viewer?.step(true),
   },
   {
     keys: ["-"],
     shown: "−",
     words: "smaller",
     page: "fixture",
-    act: () => current.viewer?.viewport.step(false),
+    act: () => current.viewer?.step(false),
   },
   {
     keys: ["0"],
@@ -113,7 +113,7 @@ function selectFocused() {
 function isTaken(event) {
   const { target, key } = event;
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return true;
-  if (byId("keys").open) return true;
+  if (document.querySelector("dialog[open]")) return true;
   if (target.matches("select, textarea, input:not([type=checkbox], [type=range])"))
     return key !== "Escape";
   if (target.matches("input[type=range]")) return key.startsWith("Arrow");

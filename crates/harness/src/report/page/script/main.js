@@ -9,19 +9,18 @@ function openPage(route) {
   return fixture ? makeFixturePage(fixture, route.view) : makeUnknownPage(route.name);
 }
 
-// Where the overview was scrolled to.
-let overviewScroll = 0;
 
 function go() {
   const route = parseHash(location.hash);
   const left = current?.fixture ?? null;
   const isFirst = current === null;
-  if (current && !current.fixture) overviewScroll = window.scrollY;
+  if (current && !current.fixture) overviewPlace.keep(route.name);
   current?.close();
   current = openPage(route);
   byId("main").replaceChildren(...current.root);
   document.title = current.fixture ? `${current.fixture.name} · goldray` : `goldray ${report.kind}`;
-  window.scrollTo(0, current.fixture ? 0 : overviewScroll);
+  if (current.fixture) window.scrollTo(0, 0);
+  else overviewPlace.restore(left);
   // Who goes by keys or ears goes on from the top of what has come.
   if (!isFirst) byId("main").focus({ preventScroll: true });
   if (left && !current.fixture) cards.get(left.index)?.link.focus({ preventScroll: true });

@@ -53,9 +53,15 @@ function metricName(metric) {
       element("span", { class: "arrow", "aria-hidden": "true" }, ` ${arrow}`),
       unseen(`, ${better}`),
     ),
-    element("p", {}, `Measures ${metric.measures}. Range: ${metric.range}; ${better}.`),
-    element("p", {}, `Blind to: ${metric.blind_spot}`),
+    element("p", {}, sentence(`Measures ${metric.measures}`)),
+    element("p", {}, sentence(`Range: ${metric.range}; ${better}`)),
+    element("p", {}, sentence(`Blind to: ${metric.blind_spot}`)),
   );
+}
+
+// With a period, of which there is never a second.
+function sentence(words) {
+  return `${words.replace(/\.$/, "")}.`;
 }
 
 function isHigherBetter(metric) {

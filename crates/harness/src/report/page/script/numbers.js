@@ -42,6 +42,12 @@ function signed(value) {
   return value > 0 ? `+${value}` : `−${-value}`;
 }
 
+// Four digits of it, marked where there are more.
+function fewDigits(value) {
+  const short = Number(value.toPrecision(4));
+  return Math.fround(short) === value ? String(short) : `≈ ${short}`;
+}
+
 // The fewest digits that are this single-precision value and no other.
 function singleDigits(value) {
   for (let digits = 1; digits < 9; digits++) {

@@ -2,6 +2,9 @@
 
 const NOTHING = "–";
 
+// Where three values of nine digits would run into each other, as in the style.
+const NARROW = matchMedia("(max-width: 560px)");
+
 // The three codes of a pixel; null beside the picture.
 function codesAt(picture, { x, y }) {
   if (!picture || x >= picture.width || y >= picture.height) return null;
@@ -15,7 +18,7 @@ function linearAt(codes, exact, picture, { x, y }, transfer) {
   if (!codes) return null;
   if (exact) {
     const at = 3 * (y * picture.width + x);
-    return Array.from(exact.slice(at, at + 3), singleDigits);
+    return Array.from(exact.slice(at, at + 3), NARROW.matches ? fewDigits : singleDigits);
   }
   const values = codes.map((code) => linearOfCode(code, transfer));
   return values.includes(null) ? null : values.map((value) => `≈ ${Number(value.toPrecision(3))}`);

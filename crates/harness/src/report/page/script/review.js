@@ -18,11 +18,10 @@ function onDecisions(listener) {
 function takeState(state) {
   review.decisions = state.decisions;
   review.canAccept = new Set(state.can_accept);
-  if (state.messages.length > 0) showMessages(state.messages);
   for (const listener of review.listeners) listener();
 }
 
-// Asks the server; whether it has answered.
+// Asks the server; what it answers, or null where it does not, or refuses.
 async function ask(path, body) {
   const options = body
     ? {
@@ -34,31 +33,34 @@ async function ask(path, body) {
   try {
     const answer = await fetch(path, options);
     const state = await answer.json();
-    if (Array.isArray(state.messages)) showMessages([]);
     if (state.decisions) takeState(state);
-    else showMessages([state.error ?? `the server answers ${answer.status}`]);
-    return true;
+    else tell({ said: "", why: [state.error ?? `the server answers ${answer.status}`] });
+    return state.decisions ? state : null;
   } catch {
     setLost(true);
-    return false;
+    return null;
   }
 }
 
-// `action` is accept, reject or undo. What cannot be decided so is left out of
-// a selection; alone it is asked for, and the server says why not.
+// `action` is accept, reject or undo. The server is asked for all, also for what
+// cannot be decided so, and says why not; only what is not decided has nothing to
+// undo, and is left out of a selection.
 async function decide(action, names) {
   if (names.length === 0) return;
-  const able = names.filter((name) => canDecide(action, name));
-  const asked = able.length > 0 ? able : names;
-  if (await ask(`api/${action}`, { names: asked }))
-    speak(`${action}: ${plural(asked.length, "fixture", "fixtures")}`);
+  const decided = names.filter((name) => canDecide(action, name));
+  const asked = action === "undo" && decided.length > 0 ? decided : names;
+  if (action === "accept" && !(await isConfirmed(decided, asked.length))) return;
+  const before = review.decisions;
+  const state = await ask(`api/${action}`, { names: asked });
+  if (state) tell(decisionWords(action, asked, before, state));
 }
 
 function canDecide(action, name) {
   const decision = review.decisions[name];
   if (action === "undo") return decision !== undefined;
   if (action === "accept") return decision !== "accepted" && review.canAccept.has(name);
-  return decision === undefined && hasFailed(fixtureByName.get(name));
+  // The server takes back what was accepted.
+  return decision === "accepted" || (decision === undefined && hasFailed(fixtureByName.get(name)));
 }
 
 // How many of what has failed is decided.
@@ -80,28 +82,21 @@ function decisionButtons(namesOf) {
       "data-action": action,
     });
   });
+  const root = element(
+    "div",
+    { class: "decisions", role: "group", "aria-label": "Decide", tabindex: "-1" },
+    made,
+  );
   const update = () => {
+    const focused = document.activeElement;
     for (const one of made)
       one.disabled = !namesOf().some((name) => canDecide(one.dataset.action, name));
+    // The focus of a button that can do no more would be lost; on another one the
+    // same key would take back what it did.
+    if (made.includes(focused) && focused.disabled) root.focus();
   };
   update();
-  return {
-    root: element("div", { class: "decisions", role: "group", "aria-label": "Decide" }, made),
-    update,
-  };
-}
-
-function showMessages(messages) {
-  const close = button("×", () => showMessages([]), {
-    class: "quiet",
-    "aria-label": "Close messages",
-  });
-  const list = element(
-    "ul",
-    {},
-    messages.map((message) => element("li", {}, message)),
-  );
-  byId("messages").replaceChildren(...(messages.length > 0 ? [list, close] : []));
+  return { root, update };
 }
 
 function setLost(isLost) {

@@ -2,11 +2,17 @@
 
 const byName = (a, b) => (a.name < b.name ? -1 : Number(a.name > b.name));
 
+// How grave its verdict is, 0 for the gravest; of a report that does not say,
+// only whether it is a failure.
+function rankOf(fixture) {
+  return fixture.rank ?? Number(!hasFailed(fixture));
+}
+
 // Each order with its words and its comparison; ties are broken by name.
 const SORTS = {
   failures: {
     words: "failures first",
-    compare: (a, b) => Number(hasFailed(b)) - Number(hasFailed(a)) || fartherFirst(a, b),
+    compare: (a, b) => rankOf(a) - rankOf(b) || fartherFirst(a, b),
   },
   name: { words: "by name", compare: byName },
   distance: { words: "by distance, worst first", compare: fartherFirst },
@@ -30,7 +36,8 @@ function selectFixtures(filters) {
 
 // The number that says most in this order.
 function telling(fixture, sort) {
-  if (sort === "time") return fixture.cached ? "unchanged" : duration(timeOf(fixture));
+  const time = wasRendered(fixture) ? duration(timeOf(fixture)) : "";
+  if (sort === "time") return fixture.cached ? "unchanged" : time;
   if (isDifferent(fixture)) {
     return sort === "distance"
       ? `FLIP ${metricValue(fixture.flip_mean)}`
@@ -40,7 +47,7 @@ function telling(fixture, sort) {
     return fixture.findings.length > 1
       ? plural(fixture.findings.length, "finding", "findings")
       : "";
-  return fixture.cached ? "unchanged" : duration(timeOf(fixture));
+  return fixture.cached ? "unchanged" : time;
 }
 
 // Every area with how many fixtures it has.

@@ -1,4 +1,4 @@
-// The fixture's text, with line numbers, a little color, and the blamed lines marked.
+// The fixture's text, with line numbers, a little color, and the lines marked that are to be looked at.
 
 // Comments, strings, numbers, names of fields, names of things, in this order.
 const RON_TOKEN =
@@ -33,18 +33,26 @@ function tokenLines(tokens) {
   return lines;
 }
 
-function sourceLine(tokens, number, blamed) {
+// What is at the place a fixture's failure is looked for at first.
+function placeWords({ verdict, breaks_expectations, breaks_relations }) {
+  if (breaks_expectations) return "expected here";
+  if (breaks_relations) return "related here";
+  return verdict === "render_refused" ? "refused here" : "look here first";
+}
+
+function sourceLine(tokens, number, { blamed, place }) {
   const code = tokens.map(({ text, kind }) =>
     kind ? element("span", { class: `ron-${kind}` }, text) : text,
   );
   const note = blamed
     ? element("span", { class: "blame-note" }, `${percent(blamed.share)} of the difference`)
     : null;
-  const mark = blamed ? "is-blamed" : null;
+  const marks = [blamed ? "is-blamed" : null, place ? "is-named" : null].filter(Boolean).join(" ");
   return element(
     "li",
-    { id: `line-${number}`, class: mark, value: number },
+    { id: `line-${number}`, class: marks || null, value: number },
     element("code", {}, code),
+    place ? element("span", { class: "blame-note" }, place) : null,
     note,
   );
 }
@@ -54,6 +62,11 @@ function sourceSection(fixture, text) {
   const blamedByLine = new Map(
     fixture.blamed.filter((entry) => entry.line !== null).map((entry) => [entry.line, entry]),
   );
+  // Of a difference the place is that of the object it lies on, which says so itself.
+  const marksOf = (number) => {
+    const blamed = blamedByLine.get(number);
+    return { blamed, place: number === fixture.line && !blamed ? placeWords(fixture) : null };
+  };
   const lines = tokenLines(ronTokens(text.replace(/\n$/, "")));
   return element(
     "section",
@@ -62,7 +75,7 @@ function sourceSection(fixture, text) {
     element(
       "ol",
       { tabindex: "0", "aria-label": `Source of ${fixture.path}` },
-      lines.map((tokens, i) => sourceLine(tokens, i + 1, blamedByLine.get(i + 1))),
+      lines.map((tokens, i) => sourceLine(tokens, i + 1, marksOf(i + 1))),
     ),
   );
 }

@@ -81,7 +81,7 @@ class Viewer {
   }
 
   zoomTools() {
-    const step = (isIn) => () => this.viewport.step(isIn);
+    const step = (isIn) => () => this.step(isIn);
     return element(
       "div",
       { class: "zoom", role: "group", "aria-label": "Zoom" },
@@ -194,6 +194,13 @@ class Viewer {
   lookAt(place) {
     this.putCursor(place);
     this.viewport.goTo(place.x, place.y);
+  }
+
+  // To the next stop of zoom, about the pixel that is kept, which is what is
+  // looked at; about the middle where there is none.
+  step(isIn) {
+    if (this.cursor) this.viewport.reveal(this.cursor);
+    this.viewport.step(isIn, this.cursor ? this.viewport.pointOf(this.cursor) : undefined);
   }
 
   putCursor(place) {

@@ -36,11 +36,20 @@ class Viewport {
     else this.changed();
   }
 
-  // The whole picture, as large as the pane allows.
-  fit() {
+  // The scale of the whole picture, as large as the pane allows.
+  wholeScale() {
     const room = Math.min(this.paneWidth / this.width, this.paneHeight / this.height);
     const whole = Math.min(Math.floor(room), LARGEST_SCALE);
-    const scale = whole >= LEAST_WHOLE_SHARE * room ? whole : Math.min(room, LARGEST_SCALE);
+    return whole >= LEAST_WHOLE_SHARE * room ? whole : Math.min(room, LARGEST_SCALE);
+  }
+
+  // Whether the picture is no larger than when it is seen whole.
+  isWhole() {
+    return this.isFitted || this.scale <= this.wholeScale();
+  }
+
+  fit() {
+    const scale = this.wholeScale();
     Object.assign(this, { scale, x: this.width / 2, y: this.height / 2, isFitted: true });
     this.changed();
   }
@@ -78,6 +87,14 @@ class Viewport {
       isFitted: false,
     });
     this.changed();
+  }
+
+  // Where in a pane the middle of a pixel is.
+  pointOf({ x, y }) {
+    return {
+      x: this.paneWidth / 2 + (x + 1 / 2 - this.x) * this.scale,
+      y: this.paneHeight / 2 + (y + 1 / 2 - this.y) * this.scale,
+    };
   }
 
   // The pixel at a point of a pane; null beside the picture.

@@ -20,7 +20,7 @@ const SSIM_VIEW = mapView(
   "ssim",
   "5",
   "SSIM",
-  () => heatLegend("1, alike", "0, nothing alike"),
+  () => heatLegend("1 alike", "0 and below: nothing alike"),
   (code) => 255 - code,
 );
 

@@ -1,7 +1,8 @@
 // Why a view cannot be shown, as a sentence; null where it can.
 
-function lacksGolden({ golden }) {
-  return golden ? null : "there is no golden";
+function lacksGolden({ golden, isUnreadable }) {
+  if (golden) return null;
+  return isUnreadable ? "the golden cannot be read" : "there is no golden";
 }
 
 function lacksActual({ actual }, fixture) {
