@@ -6,7 +6,9 @@
 //! can be taken back for as long as its golden is what it wrote.
 
 mod json;
+mod later;
 mod tally;
+mod undo;
 #[cfg(test)]
 mod tests;
 
@@ -19,7 +21,6 @@ use crate::bless::{
 };
 use crate::hash::content_hash;
 use crate::run::read_golden;
-use crate::store;
 use crate::suite::{Selection, Suite};
 use crate::verdict::{Outcome, Verdict};
 
@@ -41,21 +42,21 @@ pub struct Review {
     steps: BTreeMap<String, Step>,
     /// Why others cannot be accepted.
     refused: BTreeMap<String, String>,
-    decided: BTreeMap<String, Decided>,
+    decided: BTreeMap<String, Decision>,
+    /// What was accepted. It can be taken back even where there is something else
+    /// to decide about by now.
+    accepted: BTreeMap<String, Accepted>,
     /// The hash of each golden that was last written here; `None` for one that
     /// was removed.
     written: BTreeMap<String, Option<String>>,
 }
 
-/// A decision, and what is needed to take it back.
+/// What is needed to take an acceptance back: the golden's bytes before and its
+/// hash after; `None` where there is none.
 #[derive(Debug, Clone)]
-enum Decided {
-    /// The golden's bytes before and its hash after; `None` where there is none.
-    Accepted {
-        before: Option<Vec<u8>>,
-        after: Option<String>,
-    },
-    Rejected,
+struct Accepted {
+    before: Option<Vec<u8>>,
+    after: Option<String>,
 }
 
 impl Review {
@@ -92,27 +93,9 @@ impl Review {
                 .map(|Refusal { name, reasons: why }| (name.clone(), reasons(&name, why)))
                 .collect(),
             decided: BTreeMap::new(),
+            accepted: BTreeMap::new(),
             written: BTreeMap::new(),
         }
-    }
-
-    /// Takes over what was decided in an earlier review of the suite: what was
-    /// accepted stays so where the golden is still what was accepted, and what
-    /// was rejected where it is the very same picture.
-    pub fn inherit(&mut self, earlier: &Self) {
-        let still_holds = |(name, decided): &(&String, &Decided)| match decided {
-            Decided::Accepted { after, .. } => {
-                self.outcomes.get(*name).is_none_or(|o| o.verdict == Verdict::Match)
-                    && self.golden_hash(name).as_ref() == Ok(after)
-            }
-            Decided::Rejected => {
-                earlier.steps.contains_key(*name)
-                    && earlier.steps.get(*name) == self.steps.get(*name)
-            }
-        };
-        let decided = earlier.decided.iter().filter(still_holds);
-        self.decided = decided.map(|(name, decided)| (name.clone(), decided.clone())).collect();
-        self.written.clone_from(&earlier.written);
     }
 
     /// What was judged, in the order of names.
@@ -122,10 +105,7 @@ impl Review {
 
     /// What is decided about this name.
     pub fn decision(&self, name: &str) -> Option<Decision> {
-        self.decided.get(name).map(|decided| match decided {
-            Decided::Accepted { .. } => Decision::Accepted,
-            Decided::Rejected => Decision::Rejected,
-        })
+        self.decided.get(name).copied()
     }
 
     /// Whether accepting this name would write its golden, if nothing moved.
@@ -178,22 +158,11 @@ impl Review {
                 _ => Ok(()),
             });
             match rejected {
-                Ok(()) => _ = self.decided.insert(name.clone(), Decided::Rejected),
+                Ok(()) => _ = self.decided.insert(name.clone(), Decision::Rejected),
                 Err(why) => said.push(format!("{name} is not rejected: {why}")),
             }
         }
         said
-    }
-
-    /// Takes decisions back: of an acceptance, the golden that there was comes
-    /// back, if the one that was accepted is still there. What was not taken
-    /// back and why, a sentence each.
-    pub fn undo(&mut self, names: &[String]) -> Vec<String> {
-        let undo = |name: &String| {
-            let why = self.take_back(name).err()?;
-            Some(format!("{name} is not taken back: {why}"))
-        };
-        names.iter().filter_map(undo).collect()
     }
 
     /// Whether the golden of this name is as it was last written here, by nobody
@@ -204,9 +173,13 @@ impl Review {
 
     /// What would be written for this name; `None` where it has been.
     fn step(&self, name: &str) -> Result<Option<&Step>, String> {
-        if let Some(Decided::Accepted { after, .. }) = self.decided.get(name) {
-            let moved = "its golden was accepted and has moved since".to_owned();
-            return if self.golden_hash(name)? == *after { Ok(None) } else { Err(moved) };
+        if self.decision(name) == Some(Decision::Accepted) {
+            if self.is_as_accepted(name)? {
+                return Ok(None);
+            }
+            // What was shown may be there again, and nothing else is written.
+            let moved = || "its golden was accepted and has moved since; review it again".to_owned();
+            return self.steps.get(name).map(Some).ok_or_else(moved);
         }
         self.failing(name)?;
         let why = || self.why_not(name).unwrap_or("it is a match by now").to_owned();
@@ -243,38 +216,15 @@ impl Review {
             return Err(sentence(why.join("; ").trim_end().to_owned()));
         }
         self.written.insert(name.clone(), after.clone());
-        self.decided.insert(name, Decided::Accepted { before: old, after });
+        self.accepted.insert(name.clone(), Accepted { before: old, after });
+        self.decided.insert(name, Decision::Accepted);
         Ok(())
     }
 
-    fn take_back(&mut self, name: &str) -> Result<(), String> {
-        match self.decided.get(name) {
-            None => return Err("it was neither accepted nor rejected".to_owned()),
-            Some(Decided::Rejected) => {}
-            Some(Decided::Accepted { before, after }) => {
-                if self.golden_hash(name)? != *after {
-                    let why = "its golden is no longer what was accepted, and stays as it is";
-                    return Err(why.to_owned());
-                }
-                let path = self.suite.golden_path(name);
-                let back = match before {
-                    None => store::remove(&path),
-                    Some(bytes) if after.is_none() => store::write_new(&path, bytes),
-                    Some(bytes) => store::write(&path, bytes),
-                };
-                back.map_err(|error| error.to_string())?;
-                // What was accepted in an earlier review is a match in this one, and
-                // is none from here on: that is for the next one to say.
-                let hash = before.as_ref().map(content_hash);
-                if self.steps.contains_key(name) {
-                    self.written.insert(name.to_owned(), hash);
-                } else {
-                    self.written.remove(name);
-                }
-            }
-        }
-        self.decided.remove(name);
-        Ok(())
+    /// Whether the golden of this name is what was accepted.
+    fn is_as_accepted(&self, name: &str) -> Result<bool, String> {
+        let hash = self.golden_hash(name)?;
+        Ok(self.accepted.get(name).is_some_and(|accepted| accepted.after == hash))
     }
 
     fn golden_hash(&self, name: &str) -> Result<Option<String>, String> {

@@ -12,7 +12,8 @@ pub struct Tally {
     pub accepted: Vec<String>,
     /// What was rejected.
     pub rejected: Vec<String>,
-    /// What is no match, and nothing was decided about.
+    /// What is no match and nothing was decided about, or whose golden is no longer
+    /// what was accepted.
     pub left: Vec<String>,
 }
 
@@ -20,16 +21,20 @@ impl Tally {
     pub(super) fn of(review: &Review) -> Self {
         let mut tally = Self::default();
         // An accepted golden may have been judged again since, or be gone.
-        for name in review.decided.keys() {
-            match review.decision(name) {
-                Some(Decision::Accepted) => tally.accepted.push(name.clone()),
-                Some(Decision::Rejected) => tally.rejected.push(name.clone()),
-                None => {}
+        for (name, decision) in &review.decided {
+            match decision {
+                // Somebody has changed it since, or it cannot be read.
+                Decision::Accepted if review.is_as_accepted(name) != Ok(true) => {
+                    tally.left.push(name.clone());
+                }
+                Decision::Accepted => tally.accepted.push(name.clone()),
+                Decision::Rejected => tally.rejected.push(name.clone()),
             }
         }
-        let is_left = |name: &str| review.decision(name).is_none();
         let failing = review.outcomes().filter(|outcome| outcome.verdict != Verdict::Match);
-        tally.left = failing.map(|o| o.name.clone()).filter(|name| is_left(name)).collect();
+        let left = failing.filter(|outcome| review.decision(&outcome.name).is_none());
+        tally.left.extend(left.map(|outcome| outcome.name.clone()));
+        tally.left.sort();
         tally
     }
 

@@ -6,6 +6,7 @@ use std::path::Path;
 use super::*;
 use crate::bless::bless;
 use crate::run::run;
+use crate::store;
 use crate::template::TEMPLATE;
 
 /// A suite of one fixture of every kind: `added` has no golden, `broken` breaks
@@ -216,7 +217,7 @@ fn decisions_outlive_what_is_judged_later_where_they_still_hold() {
         ("gone", Decision::Accepted),
     ];
     assert_eq!(all.decided(), kept);
-    assert!(all.review.wrote("added"));
+    assert!(!all.review.wrote("added"), "it was judged since");
     assert_eq!(all.review.undo(&names(&["added"])), [""; 0]);
     assert!(!all.goldens().contains_key("added"));
     assert!(!all.review.wrote("added"), "it was said to be a match");
@@ -229,6 +230,73 @@ fn decisions_outlive_what_is_judged_later_where_they_still_hold() {
 }
 
 #[test]
+fn a_golden_is_known_until_it_is_judged_again() {
+    let mut all = Reviewed::new();
+    assert_eq!(all.review.accept(&names(&["changed"])), [""; 0]);
+    let accepted = all.goldens()["changed"].clone();
+    all.write("fixtures/changed.ron", other("image: (8, 6)").as_bytes());
+    all.judge_again();
+    bless(&all.suite, &all.suite.select(&names(&["changed"])).unwrap(), false).unwrap();
+    all.judge_again();
+    all.write("golden/changed.png", &accepted);
+    assert!(!all.review.wrote("changed"), "it was said to be a match with another golden");
+}
+
+#[test]
+fn an_acceptance_is_taken_back_for_as_long_as_its_golden_is_there() {
+    let mut all = Reviewed::new();
+    let before = all.goldens();
+    assert_eq!(all.review.accept(&names(&["changed"])), [""; 0]);
+    let scene = other("image: (20, 16)");
+    // Another picture, and then the accepted one again.
+    for scene in [other("image: (8, 6)"), scene] {
+        all.write("fixtures/changed.ron", scene.as_bytes());
+        all.judge_again();
+    }
+    assert_eq!(all.decided(), [("changed", Decision::Accepted)]);
+    all.write("fixtures/changed.ron", other("image: (8, 6)").as_bytes());
+    all.judge_again();
+    assert_eq!(all.decided(), [], "there is another picture to decide about");
+    assert_eq!(all.review.reject(&names(&["changed"])), [""; 0]);
+    assert_eq!(all.review.undo(&names(&["changed"])), [""; 0], "what was decided last");
+    assert_eq!(changed(&before, &all.goldens()).len(), 1);
+    assert_eq!(all.review.undo(&names(&["changed"])), [""; 0]);
+    assert_eq!(all.goldens(), before, "the very bytes");
+    assert!(!all.review.wrote("changed"), "it was judged by the accepted one");
+    assert_eq!(all.review.undo(&names(&["changed"])).len(), 1);
+}
+
+#[test]
+fn what_is_no_longer_as_accepted_is_left() {
+    let mut all = Reviewed::new();
+    let before = all.goldens();
+    assert_eq!(all.review.accept(&names(&["changed", "gone"])), [""; 0]);
+    all.write("golden/changed.png", &before["changed"]);
+    all.write("golden/gone.png", b"other");
+    let tally = all.review.tally();
+    assert_eq!(tally.accepted, [""; 0]);
+    assert_eq!(tally.left, ["added", "broken", "changed", "gone", "refused"]);
+    let said = all.review.undo(&names(&["changed", "gone"]));
+    assert!(said.iter().all(|said| said.ends_with("review it again")), "{said:?}");
+    let said = all.review.accept(&names(&["changed", "gone"]));
+    assert!(said.len() == 1 && said[0].starts_with("gone is not accepted"), "{said:?}");
+    assert!(said[0].ends_with("review it again"), "{said:?}");
+    assert_eq!(all.review.tally().accepted, ["changed"]);
+}
+
+#[test]
+fn what_cannot_be_accepted_stays_rejected_for_the_same_reason() {
+    let mut all = Reviewed::new();
+    assert_eq!(all.review.reject(&names(&["broken", "refused"])), [""; 0]);
+    all.judge_again();
+    let both = [("broken", Decision::Rejected), ("refused", Decision::Rejected)];
+    assert_eq!(all.decided(), both);
+    all.write("fixtures/broken.ron", other("image: (8, 6)").as_bytes());
+    all.judge_again();
+    assert_eq!(all.decided(), [("refused", Decision::Rejected)], "another reason");
+}
+
+#[test]
 fn the_state_is_a_document() {
     let mut all = Reviewed::new();
     all.review.accept(&names(&["added"]));
@@ -237,6 +305,6 @@ fn the_state_is_a_document() {
     assert_eq!(
         state.to_string(),
         r#"{"schema":1,"decisions":{"added":"accepted","broken":"rejected"},"#.to_owned()
-            + r#""can_accept":["changed","gone"],"messages":["a sentence"]}"#
+            + r#""can_accept":["changed","gone"],"can_undo":["added","broken"],"messages":["a sentence"]}"#
     );
 }

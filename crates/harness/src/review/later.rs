@@ -1,0 +1,48 @@
+//! What a later review takes over from an earlier one.
+
+use super::{Decision, Review};
+use crate::verdict::Verdict;
+
+impl Review {
+    /// Takes over what was decided in an earlier review of the suite: what was
+    /// accepted stays so where the golden is still what was accepted and a match,
+    /// and what was rejected where it is the very same picture or refusal. What
+    /// was accepted can be taken back for as long as the golden is that.
+    pub fn inherit(&mut self, earlier: &Self) {
+        let accepted = earlier.accepted.iter();
+        let accepted = accepted.filter(|(name, accepted)| {
+            self.golden_hash(name).as_ref() == Ok(&accepted.after)
+        });
+        self.accepted = accepted.map(|(name, one)| (name.clone(), one.clone())).collect();
+        let is_settled = |name: &&String| {
+            self.outcomes.get(*name).is_none_or(|outcome| outcome.verdict == Verdict::Match)
+        };
+        let accepted = self.accepted.keys().filter(is_settled);
+        let accepted = accepted.map(|name| (name.clone(), Decision::Accepted));
+        let rejected = earlier.decided.iter().filter(|(name, decision)| {
+            **decision == Decision::Rejected && self.shows_the_same(earlier, name)
+        });
+        let rejected = rejected.map(|(name, _)| (name.clone(), Decision::Rejected));
+        self.decided = accepted.chain(rejected).collect();
+    }
+
+    /// Whether there is the same to decide about as in an earlier review: the same
+    /// to write, or the same reasons why nothing can be.
+    fn shows_the_same(&self, earlier: &Self, name: &str) -> bool {
+        match (self.steps.get(name), earlier.steps.get(name)) {
+            (Some(now), Some(before)) => now == before,
+            (None, None) => {
+                let now = self.refusal(name);
+                now.is_some() && now == earlier.refusal(name)
+            }
+            _ => false,
+        }
+    }
+
+    /// Why nothing can be written for this name, and what is seen of it.
+    fn refusal(&self, name: &str) -> Option<(&str, &[String], Option<&[u8]>)> {
+        let outcome = self.outcomes.get(name)?;
+        let actual = outcome.evidence.as_ref().map(|evidence| evidence.actual.as_slice());
+        Some((self.why_not(name)?, &outcome.findings, actual))
+    }
+}
