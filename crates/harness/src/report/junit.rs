@@ -203,8 +203,8 @@ mod tests {
         let xml = junit(&all, 2e3, &Reader::default());
         for part in [
             "<testsuites name=\"goldray\" tests=\"4\" failures=\"1\" errors=\"2\" time=\"2.000000\">",
-            "<testsuite name=\"a\" tests=\"2\" failures=\"1\" errors=\"0\" time=\"3.000500\" skipped=\"0\">",
-            "<testsuite name=\"deep/er\" tests=\"1\" failures=\"0\" errors=\"1\"",
+            "<testsuite name=\"fixtures/a\" tests=\"2\" failures=\"1\" errors=\"0\" time=\"3.000500\" skipped=\"0\">",
+            "<testsuite name=\"fixtures/deep/er\" tests=\"1\" failures=\"0\" errors=\"1\"",
             "<testcase classname=\"fixtures/a\" name=\"x\" time=\"1.500250\">\n    </testcase>",
             "<failure type=\"differs\" message=\"differs\">fixtures/a/y.ron\nif meant: cargo xtask bless a/y",
             "<testcase classname=\"fixtures\" name=\"top\"",
