@@ -62,3 +62,24 @@ fn the_terminal_may_be_narrow_or_without_colors() {
     let color = press(&tree, "s", &[("CLICOLOR_FORCE", "1")]).expect_code(1).expect("▀");
     color.expect("\u{1b}[38;2;255;255;255m");
 }
+
+#[cfg(unix)]
+#[test]
+fn whatever_ends_it_is_told_how_it_stands() {
+    use nix::sys::signal::{Signal, kill};
+    for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP] {
+        let tree = Tree::failing();
+        let mut command = tree.command(&["review", "--tty"]);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        // It stays open.
+        let mut keys = child.stdin.take().unwrap();
+        keys.write_all(b"a").unwrap();
+        while !tree.path("golden/add/ed.png").exists() {
+            std::thread::sleep(std::time::Duration::from_millis(10));
+        }
+        kill(nix::unistd::Pid::from_raw(child.id().try_into().unwrap()), signal).unwrap();
+        let ran = Ran(child.wait_with_output().unwrap()).expect_code(1);
+        ran.expect("1 accepted, 0 rejected, 3 left");
+    }
+}

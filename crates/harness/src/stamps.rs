@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::store::{self, Stamp};
+use crate::store::{self, Found, Stamp};
 use crate::suite::Suite;
 
 /// How files looked at one moment.
@@ -28,11 +28,19 @@ impl Stamps {
         "xtask",
     ];
 
-    /// The suite's fixtures, the meshes that they may name, and its goldens.
+    /// The suite's fixtures, the meshes that they may name, its goldens, and what
+    /// is in the way of one.
     pub fn of_suite(suite: &Suite) -> Self {
-        let is_golden = |path: &Path, is_folder| is_folder || ends_in(path, "png");
-        let is_read = |path: &Path, is_folder| {
-            is_folder || ends_in(path, "ron") || scene::is_mesh(&path.to_string_lossy())
+        // A mesh may be hidden, but a hidden fixture or golden is an error.
+        let is_read = |path: &Path, found| match found {
+            Found::Folder => true,
+            Found::FolderLink => !is_hidden(path),
+            Found::File if scene::is_mesh(&path.to_string_lossy()) => true,
+            Found::File => ends_in(path, "ron") && !path.parent().is_some_and(is_hidden),
+        };
+        let is_golden = |path: &Path, found| match found {
+            Found::Folder | Found::FolderLink => !is_hidden(path),
+            Found::File => ends_in(path, "png"),
         };
         let mut all = store::stamps(&suite.root().join("fixtures"), &is_read);
         all.extend(store::stamps(&suite.golden_folder(), &is_golden));
@@ -42,9 +50,9 @@ impl Stamps {
     /// What the program is built from in the repository at `root`.
     pub fn of_sources(root: &Path) -> Self {
         const NOT_BUILT: [&str; 3] = ["target", "tests", "stress"];
-        let is_built = |path: &Path, is_folder: bool| {
+        let is_built = |path: &Path, found| {
             let name = path.file_name().unwrap_or_default().to_str().unwrap_or_default();
-            !is_folder || !NOT_BUILT.contains(&name)
+            !is_hidden(path) && (found != Found::Folder || !NOT_BUILT.contains(&name))
         };
         let all =
             Self::SOURCES.iter().flat_map(|place| store::stamps(&root.join(place), &is_built));
@@ -73,6 +81,11 @@ impl Stamps {
 
 fn ends_in(path: &Path, ending: &str) -> bool {
     path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+}
+
+/// Whether this path, or a folder in it, has a hidden name.
+fn is_hidden(path: &Path) -> bool {
+    path.iter().any(|name| name.as_encoded_bytes().starts_with(b"."))
 }
 
 #[cfg(test)]
@@ -121,7 +134,7 @@ mod tests {
         for file in ["fixtures/notes.txt", "golden/a.png~", "target/goldray/a.png", "x.ron"] {
             check(write(file), &[]);
         }
-        for file in ["fixtures/.b.ron", "fixtures/.git/b.ron", "golden/.goldray-y.tmp"] {
+        for file in ["fixtures/.git/b.ron", "golden/.git/b.png", "golden/.goldray-y.tmp"] {
             check(write(file), &[]);
         }
         // The same count of bytes in the same moment, renamed into the place.
@@ -132,6 +145,29 @@ mod tests {
             check(write(file), &[file]);
         }
         check(|root| store::remove(&root.join("golden/a.png")).unwrap(), &["golden/a.png"]);
+    }
+
+    #[test]
+    fn what_is_hidden_or_in_the_way_is_looked_at_where_check_does() {
+        for file in ["fixtures/.m.obj", "fixtures/.h/m.ply", "fixtures/.b.ron", "golden/.b.png"] {
+            check(write(file), &[file]);
+        }
+        for folder in ["fixtures/x.RON", "golden/z.png", "golden/deep/y.ron"] {
+            check(|root| std::fs::create_dir_all(root.join(folder)).unwrap(), &[folder]);
+        }
+        check(|root| std::fs::create_dir_all(root.join("fixtures/more")).unwrap(), &[]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_to_folders_are_seen_and_not_entered() {
+        let link = |to: &'static str, at: &'static str| {
+            move |root: &Path| std::os::unix::fs::symlink(to, root.join(at)).unwrap()
+        };
+        check(link(".", "fixtures/loop"), &["fixtures/loop"]);
+        check(link("/", "golden/loop"), &["golden/loop"]);
+        check(link("nowhere", "fixtures/x.ron"), &["fixtures/x.ron"]);
+        check(link(".", "fixtures/.loop"), &[]);
     }
 
     #[test]

@@ -20,7 +20,7 @@ use walkdir::WalkDir;
 
 pub use folder_assets::FolderAssets;
 pub use scratch::Scratch;
-pub use stamp::{Stamp, stamps};
+pub use stamp::{Found, Stamp, stamps};
 
 /// Something that could not be read or written.
 #[derive(Debug, thiserror::Error)]

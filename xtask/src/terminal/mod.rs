@@ -13,6 +13,7 @@ use harness::suite::Suite;
 use harness::verdict::{Outcome, Verdict};
 
 use crate::CannotAsk;
+use crate::interrupt::Interrupt;
 use blocks::{Ink, Panel, side_by_side};
 use keys::{Key, Keys};
 use wrap::wrap;
@@ -32,15 +33,20 @@ const MORE_HELP: [&str; 7] = [
 ];
 
 /// Shows what does not match, one by one, and does what is said about it, until
-/// there is no more or `q`.
+/// there is no more, `q`, or it is time to end.
 ///
 /// # Errors
 /// A terminal that cannot be read or written.
-pub fn walk(suite: &Suite, review: &mut Review, reader: &Reader) -> Result<(), CannotAsk> {
+pub fn walk(
+    suite: &Suite,
+    review: &mut Review,
+    reader: &Reader,
+    interrupt: Interrupt,
+) -> Result<(), CannotAsk> {
     let failing = review.outcomes().filter(|outcome| outcome.verdict != Verdict::Match);
     let all: Vec<_> = failing.cloned().collect();
     let screen = Screen::here();
-    let mut keys = Keys::here();
+    let mut keys = Keys::here(interrupt);
     let (mut at, mut decided) = (0, Vec::new());
     let mut is_shown = false;
     while let Some(outcome) = all.get(at) {

@@ -67,7 +67,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return Ok(Answer::Yes);
     }
     if args.tty {
-        terminal::walk(&suite, &mut review, &reader)?;
+        terminal::walk(&suite, &mut review, &reader, Interrupt::listen()?)?;
         return Ok(say(&suite, &review, &reader));
     }
     let interrupt = Interrupt::listen()?;
@@ -75,9 +75,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let url = serve(&site, None)?.url();
     println!("review at {url} until its last tab is closed, or Ctrl-C");
     std::io::stdout().flush()?;
-    if args.open {
-        browser::open(&url);
-    }
+    let _opened = args.open.then(|| browser::open(&url)).transpose()?;
     while !interrupt.wait(LOOK_EVERY) && !site.tabs.have_left() {}
     let review = site.review();
     let answer = say(&suite, &review, &reader);

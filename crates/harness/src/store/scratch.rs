@@ -1,5 +1,7 @@
 //! `Scratch`: a folder for a while.
 
+use std::fs::OpenOptions;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::StoreError;
@@ -9,16 +11,34 @@ use super::StoreError;
 pub struct Scratch(tempfile::TempDir);
 
 impl Scratch {
-    /// An empty one, where the system keeps such.
+    /// An empty one, where the system keeps such, that nobody else may look into.
     ///
     /// # Errors
     /// Whatever kept it from being made.
     pub fn new() -> Result<Self, StoreError> {
-        tempfile::tempdir().map(Self).map_err(|error| StoreError::io(Path::new("."), &error))
+        let mut folder = tempfile::Builder::new();
+        #[cfg(unix)]
+        folder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o700));
+        folder.tempdir().map(Self).map_err(|error| StoreError::io(Path::new("."), &error))
     }
 
     /// Where a file of this name is in it.
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
+    }
+
+    /// Writes a file of this name that nobody else may read; where it is.
+    ///
+    /// # Errors
+    /// Whatever kept it from being written.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, StoreError> {
+        let path = self.path(name);
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+        let written = options.open(&path).and_then(|mut file| file.write_all(bytes));
+        written.map_err(|error| StoreError::io(&path, &error))?;
+        Ok(path)
     }
 }
