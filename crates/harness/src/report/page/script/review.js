@@ -2,8 +2,11 @@
 
 const isReviewing = report.kind === "review" || report.kind === "watch";
 
+// Which page this is, of all that its server has shown.
+const edition = document.currentScript.dataset.edition;
+
 // What the server has said last.
-const review = { decisions: {}, canAccept: new Set(), listeners: new Set() };
+const review = { decisions: {}, canAccept: new Set(), canUndo: new Set(), listeners: new Set() };
 
 // How long a stream may be away before it is said to be lost: a reload of the
 // server's page breaks it for a moment.
@@ -18,6 +21,7 @@ function onDecisions(listener) {
 function takeState(state) {
   review.decisions = state.decisions;
   review.canAccept = new Set(state.can_accept);
+  review.canUndo = new Set(state.can_undo);
   if (state.messages.length > 0) showMessages(state.messages);
   for (const listener of review.listeners) listener();
 }
@@ -28,12 +32,14 @@ async function ask(path, body) {
     ? {
         method: "POST",
         headers: { "Content-Type": "application/json" },
-        body: JSON.stringify(body),
+        body: JSON.stringify({ ...body, edition }),
       }
     : {};
   try {
     const answer = await fetch(path, options);
     const state = await answer.json();
+    // Another picture than the one that is seen here would be decided about.
+    if (answer.status === 409) reloadPage();
     if (Array.isArray(state.messages)) showMessages([]);
     if (state.decisions) takeState(state);
     else showMessages([state.error ?? `the server answers ${answer.status}`]);
@@ -56,7 +62,7 @@ async function decide(action, names) {
 
 function canDecide(action, name) {
   const decision = review.decisions[name];
-  if (action === "undo") return decision !== undefined;
+  if (action === "undo") return review.canUndo.has(name);
   if (action === "accept") return decision !== "accepted" && review.canAccept.has(name);
   return decision === undefined && hasFailed(fixtureByName.get(name));
 }
@@ -112,7 +118,7 @@ function setLost(isLost) {
 function followServer() {
   if (!isReviewing) return;
   ask("api/state");
-  const stream = new EventSource("events");
+  const stream = new EventSource(`events?edition=${edition}`);
   let timer = null;
   stream.addEventListener("open", () => {
     clearTimeout(timer);
@@ -124,8 +130,13 @@ function followServer() {
     timer ??= setTimeout(() => setLost(true), LOST_AFTER_MS);
   });
   stream.addEventListener("state", (event) => takeState(JSON.parse(event.data)));
-  stream.addEventListener("reload", () => {
-    remember();
-    location.reload();
-  });
+  stream.addEventListener("trouble", (event) =>
+    showMessages([`Nothing can be decided until this is mended: ${JSON.parse(event.data)}`]),
+  );
+  stream.addEventListener("reload", reloadPage);
+}
+
+function reloadPage() {
+  remember();
+  location.reload();
 }
