@@ -77,18 +77,6 @@ def empty_page(green_page):
 
 
 @pytest.fixture(scope="session")
-def ranked_page(broken_page):
-    """A page whose report says which verdicts are graver: those later in the alphabet."""
-
-    def change(report):
-        ids = sorted((verdict["id"] for verdict in report["verdicts"]), reverse=True)
-        for fixture in report["fixtures"]:
-            fixture["rank"] = ids.index(fixture["verdict"])
-
-    return changed_page(broken_page, "ranked", change)
-
-
-@pytest.fixture(scope="session")
 def browser(request):
     with sync_playwright() as playwright:
         program = request.config.getoption("--chromium")

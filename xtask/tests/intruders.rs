@@ -157,7 +157,8 @@ fn the_other_name_of_this_machine_is_ours_too() {
     let mut headers = asked.with("Host", &host);
     headers.retain(|header| header.0 != "Origin");
     headers.push(("Origin", format!("http://{host}")));
-    assert_eq!(asked.served.request(&asked.accept(), &headers, BODY).status, 200);
+    let body = json!({ "names": ["changed"], "edition": asked.served.edition() }).to_string();
+    assert_eq!(asked.served.request(&asked.accept(), &headers, &body).status, 200);
     assert_eq!(changed(&asked.before, &files(asked.tree.0.path())), ["golden/changed.png"]);
 }
 
@@ -173,6 +174,8 @@ fn what_is_no_request_is_refused() {
         "{\"names\":[1]}",
         "names=changed",
         "{\"names\":[\"changed\"],\"force\":true}",
+        BODY,
+        "{\"names\":[\"changed\"],\"edition\":\"\",\"force\":true}",
     ] {
         asked.acceptance_refused(&ours, body, 400);
     }
@@ -191,6 +194,26 @@ fn what_is_no_request_is_refused() {
     send("\r\n", 411);
     send(&format!("X: {}\r\n\r\n", "x".repeat(1 << 16)), 431);
     Asked::check(&asked.served.send(b"\x16\x03\x01\x02\x00 hello\r\n\r\n"), 400);
+    asked.is_as_before();
+}
+
+#[test]
+fn no_page_of_another_edition_decides() {
+    let asked = Asked::new();
+    let other = asked.served.edition().chars().rev().collect::<String>();
+    for edition in ["", "undefined", &other] {
+        for what in ["accept", "reject", "undo"] {
+            let answer = asked.served.post_of(edition, what, &["changed"]);
+            Asked::check(&answer, 409);
+            assert!(answer.body.contains("the page is out of date"), "{answer:?}");
+        }
+        asked.served.tab_of(Some(edition)).expect("reload");
+    }
+    let ours = asked.served.page_headers();
+    let token = &asked.served.token;
+    for path in ["?x", "api/state?edition=x"] {
+        asked.refused(&format!("GET /{token}/{path}"), &ours, "", 404);
+    }
     asked.is_as_before();
 }
 
@@ -261,7 +284,7 @@ fn the_page_is_kept_from_others() {
     }
     let (_, nonce) = page.head.split_once("script-src 'nonce-").unwrap();
     let nonce = nonce.split('\'').next().unwrap();
-    let script = format!("<script nonce=\"{nonce}\">");
+    let script = format!("<script nonce=\"{nonce}\" data-edition=\"");
     assert_eq!(page.body.matches(&script).count(), 1, "its script runs");
     assert!(!page.body.contains("<script>") && !page.head.contains("script-src 'unsafe"));
     let (a, b) = (served.token.clone(), review(&tree).token.clone());

@@ -77,7 +77,7 @@ fn an_edited_renderer_is_built_and_run_in_its_place() {
     served.line_with("changed: building");
     served.find_address();
     assert_eq!((served.port, &served.token), (port, &token), "tabs find it again");
-    assert_eq!(served.tab_that_has_seen(Some(&second)).expect("reload").1.len(), 32);
+    assert_eq!(served.tab_of(Some(&second)).expect("reload").1.len(), 32);
     let link = fs::read_link(format!("/proc/{}/exe", served.child.id()));
     if let Ok(link) = link {
         assert_eq!(link, tree.path("another").canonicalize().unwrap(), "the same process");
@@ -85,6 +85,19 @@ fn an_edited_renderer_is_built_and_run_in_its_place() {
     served.post("accept", &["a"]);
     served.interrupt();
     assert_eq!(served.end().0, Some(0));
+}
+
+#[test]
+fn without_cargo_it_goes_on() {
+    let tree = repository("");
+    fs::remove_file(tree.path("cargo")).unwrap();
+    let watch = Printing::start(&mut watch_repository(&tree, &["--no-serve"]));
+    watch.until("2 judged: 2 match");
+    tree.write("crates/tracer/src/lib.rs", b"fn f() {}");
+    watch.until("not built: ");
+    tree.write("fixtures/a.ron", flat().as_bytes());
+    watch.until("1 match, 1 stale golden");
+    assert_eq!(watch.interrupt(), Some(1));
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod browser;
 mod tree;
 
 use std::fs;
+use std::io::{Read, Write};
 use std::time::{Duration, Instant};
 
 use browser::{Served, changed, files};
@@ -23,7 +24,9 @@ fn accepting_changes_one_golden_and_undoing_changes_it_back() {
     let served = review(&tree);
     assert_eq!(changed(&before, &files(tree.0.path())), [""; 0], "looking writes nothing");
     let can_accept = json!(["add/ed", "changed", "gone"]);
-    let first = json!({"schema": 1, "decisions": {}, "can_accept": can_accept, "messages": []});
+    let first = json!({
+        "schema": 1, "decisions": {}, "can_accept": can_accept, "can_undo": [], "messages": []
+    });
     assert_eq!(served.get("api/state").json(), first);
     for (name, file) in [
         ("add/ed", "golden/add/ed.png"),
@@ -128,6 +131,37 @@ fn tabs_hear_of_each_other_and_the_last_one_ends_it() {
 }
 
 #[test]
+fn a_page_that_is_still_sent_has_somebody_before_it() {
+    let tree = Tree::failing();
+    let served = review(&tree);
+    // Who only fetches it keeps it waiting.
+    assert_eq!(served.get("").status, 200);
+    std::thread::sleep(Duration::from_secs(11));
+    let mut slow = served.connect();
+    let head = format!("GET /{}/ HTTP/1.1\r\nHost: {}\r\n\r\n", served.token, served.host());
+    slow.write_all(head.as_bytes()).unwrap();
+    slow.read_exact(&mut [0; 100]).unwrap();
+    drop(served.tab());
+    std::thread::sleep(Duration::from_secs(4));
+    assert_eq!(served.get("api/state").status, 200, "it is on its way");
+    drop(slow);
+    assert_eq!(served.end().0, Some(1));
+}
+
+#[test]
+fn what_moved_since_it_was_accepted_is_left() {
+    let tree = Tree::failing();
+    let golden = fs::read(tree.path("golden/changed.png")).unwrap();
+    let served = Served::start(&mut tree.command(&["review", "changed"]));
+    served.post("accept", &["changed"]);
+    tree.write("golden/changed.png", &golden);
+    drop(served.tab());
+    let (code, said) = served.end();
+    assert_eq!(code, Some(1), "{said}");
+    assert!(said.contains("left      changed\n0 accepted, 0 rejected, 1 left"), "{said}");
+}
+
+#[test]
 fn it_says_yes_if_all_was_accepted() {
     let tree = Tree::failing();
     let served = Served::start(&mut tree.command(&["review", "changed"]));
@@ -150,6 +184,31 @@ fn ctrl_c_ends_it_and_leaves_nothing_half_done() {
     assert_eq!(code, Some(1), "{said}");
     assert!(said.contains("1 accepted, 0 rejected, 3 left"), "{said}");
     assert_eq!(changed(&before, &files(tree.0.path())), ["golden/changed.png"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_opened_keeps_the_token_from_others() {
+    use std::os::unix::fs::PermissionsExt;
+    let tree = Tree::failing();
+    let program = b"#!/bin/sh\necho \"$*\" > asked.new\nmv asked.new asked\n";
+    tree.write("bin/xdg-open", program);
+    fs::set_permissions(tree.path("bin/xdg-open"), PermissionsExt::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", tree.path("bin").display(), std::env::var("PATH").unwrap());
+    let served = Served::start(tree.command(&["review", "--open"]).env("PATH", path));
+    while !tree.path("asked").exists() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let asked = fs::read_to_string(tree.path("asked")).unwrap();
+    assert!(!asked.contains(&served.token), "{asked}");
+    let file = std::path::PathBuf::from(asked.trim_end());
+    let url = format!("http://{}/{}/", served.host(), served.token);
+    assert!(fs::read_to_string(&file).unwrap().contains(&url));
+    let mode = |path: &std::path::Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+    assert_eq!((mode(&file), mode(file.parent().unwrap())), (0o600, 0o700));
+    drop(served.tab());
+    assert_eq!(served.end().0, Some(1));
+    assert!(!file.parent().unwrap().exists(), "it is left");
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn every_edit_is_noticed_once() {
     watch.until("2 judged: 2 match");
     tree.write("fixtures/c.RON", b"x");
     watch.until("c.RON: expected the ending .ron");
-    assert_eq!(watch.interrupt(), Some(1), "nobody knows");
+    assert_eq!(watch.interrupt(), Some(2), "nobody knows");
 }
 
 #[test]
@@ -120,8 +120,8 @@ fn the_page_is_loaded_anew_and_decides() {
     let (_, second, _) = tab.expect("reload");
     assert_ne!(first, second);
     // One that was loading when it was replaced hears of it as well.
-    assert_eq!(served.tab_that_has_seen(Some(&first)).expect("reload").1, second);
-    served.tab_that_has_seen(Some(&second)).expect("state");
+    assert_eq!(served.tab_of(Some(&first)).expect("reload").1, second);
+    served.tab_of(Some(&second)).expect("state");
     assert!(served.get("").body.contains("\"green\":false"));
     served.tab().expect("state");
 
@@ -157,6 +157,77 @@ fn the_page_is_loaded_anew_and_decides() {
     served.interrupt();
     served.line_with("2 accepted, 0 rejected, 0 left");
     assert_eq!(served.end().0, Some(0));
+}
+
+#[test]
+fn a_golden_that_is_put_back_later_is_checked() {
+    let tree = tree();
+    tree.write("fixtures/a.ron", flat().as_bytes());
+    let mut served = Served::start(&mut tree.command(&["watch"]));
+    served.post("accept", &["a"]);
+    let accepted = fs::read(tree.path("golden/a.png")).unwrap();
+    std::thread::sleep(Duration::from_secs(1));
+    tree.write("fixtures/a.ron", SQUARE.as_bytes());
+    served.line_with("1 stale golden");
+    tree.run(&["bless", "a"]).expect_code(0);
+    served.line_with("2 judged: 2 match");
+    tree.write("golden/a.png", &accepted);
+    served.line_with("golden/a.png changed");
+    served.line_with("1 stale golden");
+    served.interrupt();
+    assert_eq!(served.end().0, Some(1));
+}
+
+#[test]
+fn what_is_accepted_during_a_check_does_not_hide_it() {
+    let tree = tree();
+    tree.write("fixtures/a.ron", flat().as_bytes());
+    let mut served = Served::start(&mut tree.command(&["watch"]));
+    let first = served.edition();
+    // It takes a while.
+    let slow = SQUARE.replace("(16, 12)", "(1600, 1200), samples_per_pixel: 16");
+    tree.write("fixtures/c.ron", slow.as_bytes());
+    served.line_with("fixtures/c.ron changed");
+    assert_eq!(served.post_of(&first, "accept", &["a"]).status, 200);
+    let mut tab = served.tab_of(Some(&first));
+    while tab.event().0 != "reload" {}
+    assert!(served.get("").body.contains("\"missing_golden\":1"));
+    assert_eq!(served.get("api/state").json()["decisions"], json!({"a": "accepted"}));
+    // Of the page before, nothing is decided any more.
+    let golden = fs::read(tree.path("golden/a.png")).unwrap();
+    for what in ["undo", "accept"] {
+        assert_eq!(served.post_of(&first, what, &["a", "c"]).status, 409);
+    }
+    assert_eq!(fs::read(tree.path("golden/a.png")).unwrap(), golden);
+    assert!(!tree.path("golden/c.png").exists());
+}
+
+#[test]
+fn nothing_is_decided_where_nothing_can_be_judged() {
+    let tree = tree();
+    tree.write("fixtures/a.ron", flat().as_bytes());
+    let served = Served::start(&mut tree.command(&["watch"]));
+    let mut tab = served.tab();
+    tab.expect("state");
+    tree.write("fixtures/c.RON", b"x");
+    assert!(tab.expect("trouble").2.contains("expected the ending .ron"));
+    let before = files(tree.0.path());
+    let refused = served.post_of(&served.edition(), "accept", &["a"]);
+    assert_eq!(refused.status, 503);
+    assert!(refused.body.contains("expected the ending .ron"), "{refused:?}");
+    assert_eq!(changed(&before, &files(tree.0.path())), [""; 0]);
+    let mut other = served.tab();
+    other.expect("state");
+    other.expect("trouble");
+    fs::remove_file(tree.path("fixtures/c.RON")).unwrap();
+    tab.expect("reload");
+    served.post("accept", &["a"]);
+    assert_eq!(changed(&before, &files(tree.0.path())), ["fixtures/c.RON", "golden/a.png"]);
+    tree.write("fixtures/c.RON", b"x");
+    tab.expect("state");
+    tab.expect("trouble");
+    served.interrupt();
+    assert_eq!(served.end().0, Some(2));
 }
 
 #[test]

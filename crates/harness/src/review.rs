@@ -8,9 +8,9 @@
 mod json;
 mod later;
 mod tally;
-mod undo;
 #[cfg(test)]
 mod tests;
+mod undo;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -178,7 +178,8 @@ impl Review {
                 return Ok(None);
             }
             // What was shown may be there again, and nothing else is written.
-            let moved = || "its golden was accepted and has moved since; review it again".to_owned();
+            let moved =
+                || "its golden was accepted and has moved since; review it again".to_owned();
             return self.steps.get(name).map(Some).ok_or_else(moved);
         }
         self.failing(name)?;

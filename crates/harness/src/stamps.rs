@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(changed, expected);
     }
 
-    fn write(file: &str) -> impl Fn(&Path) {
+    fn write(file: &str) -> impl Fn(&Path) + '_ {
         move |root| store::write(&root.join(file), b"y").unwrap()
     }
 
@@ -153,9 +153,9 @@ mod tests {
             check(write(file), &[file]);
         }
         for folder in ["fixtures/x.RON", "golden/z.png", "golden/deep/y.ron"] {
-            check(|root| std::fs::create_dir_all(root.join(folder)).unwrap(), &[folder]);
+            check(write(&format!("{folder}/notes")), &[folder]);
         }
-        check(|root| std::fs::create_dir_all(root.join("fixtures/more")).unwrap(), &[]);
+        check(write("fixtures/more/notes"), &[]);
     }
 
     #[cfg(unix)]

@@ -108,7 +108,7 @@ mod tests {
 
     fn head(path: &str, headers: &[(&str, &str)]) -> Head {
         let headers = headers.iter().map(|&(name, value)| (name.to_owned(), value.to_owned()));
-        Head { method: "POST".into(), path: path.into(), headers: headers.collect() }
+        Head { method: "POST".into(), path: path.into(), query: None, headers: headers.collect() }
     }
 
     #[test]

@@ -6,6 +6,7 @@
 //! asks once and is closed; one that is slow, or says nothing, keeps neither
 //! others nor the process waiting.
 
+mod asked;
 mod guard;
 mod reply;
 mod request;
@@ -115,7 +116,8 @@ fn answer(stream: TcpStream, site: &Site, guard: &Guard) {
     // Who has gone hears nothing, and nothing follows from that.
     let _ = match reply {
         Reply::Full { .. } => reply.write(&mut stream),
-        Reply::Events { seen } => site.stream_events(&mut stream, seen.as_deref()),
+        Reply::Page => site.send_page(&mut stream),
+        Reply::Events { edition } => site.stream_events(&mut stream, edition.as_deref()),
     };
     reply::close(&stream);
 }

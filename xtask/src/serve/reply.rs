@@ -14,8 +14,10 @@ use super::request::Refusal;
 pub(super) enum Reply {
     /// All at once.
     Full { status: u16, kind: &'static str, body: Arc<[u8]>, more: String },
-    /// Events as they come, to who has seen this one last.
-    Events { seen: Option<String> },
+    /// The page as it is when it is sent.
+    Page,
+    /// Events as they come, to a page of this edition.
+    Events { edition: Option<String> },
 }
 
 /// The page may run its own script and ask the server that it came from: nothing
@@ -46,7 +48,7 @@ impl Reply {
         Self::Full { status: 405, kind: "application/json", body, more }
     }
 
-    /// Sends it; nothing for events.
+    /// Sends it; nothing of a page or events.
     pub(super) fn write(&self, stream: &mut TcpStream) -> std::io::Result<()> {
         let Self::Full { status, kind, body, more } = self else { return Ok(()) };
         let (head, length) = (head(*status, kind), body.len());

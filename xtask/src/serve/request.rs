@@ -40,6 +40,8 @@ pub(super) struct Head {
     pub(super) method: String,
     /// The path as it was sent, without a query. Nothing is decoded.
     pub(super) path: String,
+    /// What follows it after a `?`, likewise.
+    pub(super) query: Option<String>,
     /// Names and values.
     pub(super) headers: Vec<(String, String)>,
 }
@@ -158,11 +160,15 @@ fn parse(bytes: &[u8]) -> Result<Option<(Head, usize)>, Refusal> {
     let (Some(method), Some(target)) = (request.method, request.path) else {
         return Err(Refusal::MALFORMED);
     };
-    let path = target.split('?').next().unwrap_or_default();
+    let (path, query) = match target.split_once('?') {
+        Some((path, query)) => (path, Some(query.to_owned())),
+        None => (target, None),
+    };
     let headers = request.headers.iter();
     let headers = headers.map(|header| Ok((header.name.to_owned(), text(header.value)?)));
     let headers = headers.collect::<Result<_, _>>()?;
-    Ok(Some((Head { method: method.to_owned(), path: path.to_owned(), headers }, length)))
+    let (method, path) = (method.to_owned(), path.to_owned());
+    Ok(Some((Head { method, path, query, headers }, length)))
 }
 
 #[cfg(test)]
@@ -183,6 +189,8 @@ mod tests {
         check("GET /x HTTP/1.1\r\nHost: a\r\n", Ok(None));
         check("GET /x HTTP/1.1\r\nHost: a\r\n\r\n", Ok(Some(("GET", "/x"))));
         check("GET /a/..%2f?q=1 HTTP/1.1\r\n\r\n", Ok(Some(("GET", "/a/..%2f"))));
+        let head = parse(b"GET /a?q=1?2 HTTP/1.1\r\n\r\n").unwrap().unwrap().0;
+        assert_eq!(head.query.as_deref(), Some("q=1?2"));
         check("\0", Err(400));
         check("GET /x HTTP/9\r\n\r\n", Err(400));
         check("GET /x HTTP/1.1\r\nno colon\r\n\r\n", Err(400));

@@ -7,8 +7,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use harness::review::Review;
-use serde_json::Value;
+use serde_json::json;
 
+use super::asked::{Asked, asked};
 use super::guard::{Guard, Token};
 use super::reply::{Reply, head};
 use super::request::{Head, Incoming, Refusal};
@@ -35,10 +36,11 @@ struct Page {
     html: Arc<[u8]>,
     /// What its script is known by, among all that fixtures may have put there.
     nonce: String,
-    /// Tells this page from any other, of another process too.
+    /// Tells this page from any other, of another process too. The page says it with
+    /// all that it asks.
     edition: String,
-    /// The edition that was sent last.
-    sent: String,
+    /// Why what it shows may no longer be so, and nothing can be decided.
+    trouble: Option<String>,
 }
 
 impl Page {
@@ -46,8 +48,9 @@ impl Page {
         let (nonce, edition) = (Token::random()?.to_string(), Token::random()?.to_string());
         // The first one of this form: before it there is only data, in which every
         // `<` is written otherwise.
-        let html = html.replacen("<script>", &format!("<script nonce=\"{nonce}\">"), 1);
-        Ok(Self { html: html.into_bytes().into(), nonce, edition, sent: String::new() })
+        let script = format!("<script nonce=\"{nonce}\" data-edition=\"{edition}\">");
+        let html = html.replacen("<script>", &script, 1);
+        Ok(Self { html: html.into_bytes().into(), nonce, edition, trouble: None })
     }
 }
 
@@ -72,10 +75,18 @@ impl Site {
         let mut shown = self.review();
         review.inherit(&shown);
         *shown = review;
-        let mut before = lock(&self.page);
-        *before = Page { sent: before.sent.clone(), ..page };
+        *lock(&self.page) = page;
         self.tabs.tell(&reload);
         Ok(())
+    }
+
+    /// Says that the files cannot be judged as they are, until another page is
+    /// shown: nothing is decided of what may no longer be so.
+    pub fn trouble(&self, why: &str) {
+        let _review = self.review();
+        let mut page = lock(&self.page);
+        page.trouble = Some(why.to_owned());
+        self.tabs.tell(&trouble(&page.edition, why));
     }
 
     /// The review. As long as this is held, nothing is decided.
@@ -103,28 +114,47 @@ impl Site {
         if head.method != allowed {
             return Ok(Reply::not_allowed(allowed));
         }
+        let edition = match &head.query {
+            None => None,
+            Some(query) if path == "events" => query.strip_prefix("edition=").map(str::to_owned),
+            Some(_) => return Err(Refusal::NOT_FOUND),
+        };
         Ok(match path {
-            "" => self.page(),
-            "events" => Reply::Events { seen: head.one("last-event-id")?.map(str::to_owned) },
+            "" => Reply::Page,
+            "events" => Reply::Events { edition },
             "api/state" => Reply::json(200, &self.review().to_json(&[])),
             _ => {
                 guard.may_change(head)?;
-                let names = names(&incoming.body(head)?)?;
-                Reply::json(200, &self.decide(path, &names))
+                self.decide(path, &asked(&incoming.body(head)?)?)?
             }
         })
     }
 
-    fn page(&self) -> Reply {
-        let mut page = lock(&self.page);
-        let edition = page.edition.clone();
-        page.sent = edition;
-        self.tabs.expect();
-        Reply::html(Arc::clone(&page.html), &page.nonce)
+    /// Sends the page, whose tab is expected as soon as all of it is sent.
+    pub(super) fn send_page(&self, stream: &mut TcpStream) -> std::io::Result<()> {
+        let _sending = self.tabs.send();
+        let reply = {
+            let page = lock(&self.page);
+            Reply::html(Arc::clone(&page.html), &page.nonce)
+        };
+        reply.write(stream)
     }
 
-    fn decide(&self, path: &str, names: &[String]) -> Value {
+    /// Decides what was asked for by who sees the page as it is.
+    fn decide(&self, path: &str, asked: &Asked) -> Result<Reply, Refusal> {
         let mut review = self.review();
+        let names = &asked.names;
+        let edition = {
+            let page = lock(&self.page);
+            if asked.edition != page.edition {
+                return Err(Refusal(409, "the page is out of date: it is loaded again"));
+            }
+            if let Some(why) = &page.trouble {
+                let why = format!("nothing can be decided: {why}");
+                return Ok(Reply::json(503, &json!({ "schema": 1, "error": why })));
+            }
+            page.edition.clone()
+        };
         let before = review.to_json(&[]);
         let said = match path {
             "api/accept" => review.accept(names),
@@ -133,35 +163,36 @@ impl Site {
         };
         let after = review.to_json(&[]);
         if after != before {
-            let edition = lock(&self.page).edition.clone();
             self.tabs.tell(&event("state", &edition, &after.to_string()));
         }
-        review.to_json(&said)
+        Ok(Reply::json(200, &review.to_json(&said)))
     }
 
     /// Sends events for as long as the tab is open.
     pub(super) fn stream_events(
         &self,
         stream: &mut TcpStream,
-        seen: Option<&str>,
+        shown: Option<&str>,
     ) -> std::io::Result<()> {
         // Opened first, so that nothing that happens from here on is missed.
         let tab = self.tabs.open();
-        let (edition, is_old) = {
+        let (edition, why) = {
             let page = lock(&self.page);
-            let shown = seen.unwrap_or(&page.sent);
-            (page.edition.clone(), !shown.is_empty() && shown != page.edition)
+            (page.edition.clone(), page.trouble.clone())
         };
         // A stream that breaks off is opened again by the browser, so soon that
         // its tab is not taken for closed.
         stream.write_all(
             format!("{}\r\nretry: 500\n\n", head(200, "text/event-stream")).as_bytes(),
         )?;
-        if is_old {
+        if shown.is_some_and(|shown| shown != edition) {
             stream.write_all(event("reload", &edition, "").as_bytes())?;
         }
         let state = self.review().to_json(&[]).to_string();
         stream.write_all(event("state", &edition, &state).as_bytes())?;
+        if let Some(why) = why {
+            stream.write_all(trouble(&edition, &why).as_bytes())?;
+        }
         let mut pinged = Instant::now();
         loop {
             match tab.events.recv_timeout(LOOK_EVERY) {
@@ -183,6 +214,12 @@ fn event(name: &str, edition: &str, data: &str) -> String {
     format!("id: {edition}\nevent: {name}\ndata: {data}\n\n")
 }
 
+/// The event that says that the files cannot be judged as they are.
+fn trouble(edition: &str, why: &str) -> String {
+    // A sentence as JSON is one line, whatever it holds.
+    event("trouble", edition, &json!(why).to_string())
+}
+
 /// Whether the other side has closed its end.
 fn is_closed(stream: &TcpStream) -> std::io::Result<bool> {
     stream.set_read_timeout(Some(Duration::from_millis(1)))?;
@@ -195,45 +232,8 @@ fn is_closed(stream: &TcpStream) -> std::io::Result<bool> {
     })
 }
 
-/// `{"names":["a/b",...]}`.
-fn names(body: &[u8]) -> Result<Vec<String>, Refusal> {
-    let refusal = Refusal(400, "expected {\"names\": [...]} with names of fixtures");
-    let value: Value = serde_json::from_slice(body).map_err(|_| refusal)?;
-    let names = value.as_object().filter(|object| object.len() == 1);
-    let names = names.and_then(|object| object.get("names")?.as_array()).ok_or(refusal)?;
-    let names = names.iter().map(|name| name.as_str().map(str::to_owned));
-    names.collect::<Option<_>>().ok_or(refusal)
-}
-
 /// What was locked by a thread that panicked is whole: a decision is noted after
 /// it was carried out.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_body_is_names_and_nothing_else() {
-        #[track_caller]
-        fn check(body: &str, expected: Option<&[&str]>) {
-            let found = names(body.as_bytes()).ok();
-            assert_eq!(
-                found.as_deref(),
-                expected.map(|e| e.iter().map(|s| (*s).to_owned()).collect::<Vec<_>>()).as_deref(),
-                "{body}"
-            );
-        }
-        check(r#"{"names":["a/b","c"]}"#, Some(&["a/b", "c"]));
-        check(r#"{"names":[]}"#, Some(&[]));
-        for body in
-            ["", "a", "[]", "{}", r#"{"names":"a"}"#, r#"{"names":[1]}"#, r#"{"names":[],"x":1}"#]
-        {
-            check(body, None);
-        }
-        assert!(names(b"\xff").is_err());
-        assert!(names("[".repeat(1 << 20).as_bytes()).is_err(), "nor does it take the stack");
-    }
 }

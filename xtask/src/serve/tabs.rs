@@ -21,9 +21,30 @@ pub struct Tabs(Mutex<Open>);
 struct Open {
     streams: BTreeMap<u64, Sender<Arc<str>>>,
     next: u64,
-    /// From when on a place without tabs is left; `None` before there were any.
+    /// How many pages are being sent.
+    sending: usize,
+    /// Whether there ever was a tab: a page that was only fetched has nobody before
+    /// it.
+    had_tabs: bool,
+    /// From when on a place without tabs is left.
     left_from: Option<Instant>,
 }
+
+impl Open {
+    /// Whether there were tabs, and none is open or on its way.
+    fn is_empty(&self) -> bool {
+        self.had_tabs && self.streams.is_empty() && self.sending == 0
+    }
+
+    /// Is not left for at least so long.
+    fn stay(&mut self, time: Duration) {
+        let until = Instant::now() + time;
+        self.left_from = Some(self.left_from.map_or(until, |from| from.max(until)));
+    }
+}
+
+/// A page, for as long as it is being sent.
+pub(super) struct Sending<'a>(&'a Tabs);
 
 /// A tab, for as long as its stream is open.
 pub(super) struct Tab<'a> {
@@ -37,7 +58,7 @@ impl Tabs {
     /// Whether there were tabs, and all of them are closed for good.
     pub fn have_left(&self) -> bool {
         let open = self.lock();
-        open.streams.is_empty() && open.left_from.is_some_and(|from| Instant::now() >= from)
+        open.is_empty() && open.left_from.is_none_or(|from| Instant::now() >= from)
     }
 
     /// A tab has opened its stream.
@@ -47,14 +68,15 @@ impl Tabs {
         open.next += 1;
         let number = open.next;
         open.streams.insert(number, sender);
-        // The one that was expected.
-        open.left_from = None;
+        // Another one may still be expected.
+        open.had_tabs = true;
         Tab { tabs: self, number, events }
     }
 
-    /// A page was sent, and its tab is to be expected.
-    pub(super) fn expect(&self) {
-        self.lock().left_from = Some(Instant::now() + SHOWN_WITHIN);
+    /// A page is being sent, and its tab is to be expected after that.
+    pub(super) fn send(&self) -> Sending<'_> {
+        self.lock().sending += 1;
+        Sending(self)
     }
 
     /// Sends this to every tab.
@@ -72,13 +94,19 @@ impl Tabs {
     }
 }
 
+impl Drop for Sending<'_> {
+    fn drop(&mut self) {
+        let mut open = self.0.lock();
+        open.sending -= 1;
+        open.stay(SHOWN_WITHIN);
+    }
+}
+
 impl Drop for Tab<'_> {
     fn drop(&mut self) {
         let mut open = self.tabs.lock();
         open.streams.remove(&self.number);
-        let gone = Instant::now() + GONE_AFTER;
-        // A page that was sent in between is still to be expected.
-        open.left_from = Some(open.left_from.map_or(gone, |from| from.max(gone)));
+        open.stay(GONE_AFTER);
     }
 }
 
@@ -90,7 +118,7 @@ mod tests {
     /// never were.
     fn seconds(tabs: &Tabs) -> Option<u64> {
         let open = tabs.lock();
-        let from = open.left_from.filter(|_| open.streams.is_empty())?;
+        let from = open.left_from.filter(|_| open.is_empty())?;
         Some(from.saturating_duration_since(Instant::now()).as_secs_f64().round() as u64)
     }
 
@@ -98,8 +126,6 @@ mod tests {
     fn a_place_is_left_a_while_after_its_last_tab() {
         let tabs = Tabs::default();
         assert!(seconds(&tabs).is_none() && !tabs.have_left(), "nobody was here");
-        tabs.expect();
-        assert_eq!(seconds(&tabs), Some(SHOWN_WITHIN.as_secs()));
         let (a, b) = (tabs.open(), tabs.open());
         drop(a);
         assert_eq!(seconds(&tabs), None);
@@ -108,12 +134,24 @@ mod tests {
         drop(b);
         assert_eq!(seconds(&tabs), Some(GONE_AFTER.as_secs()));
         // Loaded anew.
-        tabs.expect();
+        let sending = tabs.send();
+        assert_eq!(seconds(&tabs), None, "it is on its way");
+        drop(sending);
+        assert_eq!(seconds(&tabs), Some(SHOWN_WITHIN.as_secs()));
         let again = tabs.open();
         assert_eq!(seconds(&tabs), None);
-        tabs.expect();
+        drop(tabs.send());
         drop(again);
         assert_eq!(seconds(&tabs), Some(SHOWN_WITHIN.as_secs()), "another one is on its way");
         assert!(!tabs.have_left());
+    }
+
+    #[test]
+    fn a_page_that_was_only_fetched_has_nobody_before_it() {
+        let tabs = Tabs::default();
+        drop(tabs.send());
+        assert!(seconds(&tabs).is_none() && !tabs.have_left());
+        drop(tabs.open());
+        assert_eq!(seconds(&tabs), Some(SHOWN_WITHIN.as_secs()), "that one, or another");
     }
 }

@@ -1,5 +1,7 @@
 //! `watch`: check anew whenever something is edited that verdicts follow from.
 
+mod seen;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
@@ -14,6 +16,7 @@ use harness::suite::Suite;
 
 use super::bless::by_hand;
 use super::review;
+use seen::{Seen, say_paths};
 use xtask::interrupt::{Interrupt, end_at_once};
 use xtask::look::{Ask, How, Looked, look};
 use xtask::rebuild::{self, Built, become_program, build, repository};
@@ -64,7 +67,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         program: store::program_hash()?,
         interrupt: Interrupt::listen()?,
         served: None,
-        said: Said::Nothing,
+        said: Said::Unknown,
+        is_unshown: false,
         suite,
         args,
     };
@@ -83,6 +87,9 @@ struct Watch<'a> {
     served: Option<(Arc<Site>, Address)>,
     /// What was said last.
     said: Said,
+    /// Whether the last check was not shown, as something changed meanwhile,
+    /// whoever changed it.
+    is_unshown: bool,
 }
 
 /// What was said of a suite.
@@ -91,15 +98,8 @@ enum Said {
     AllMatch,
     /// Unless it is accepted where it is served.
     NotAll,
-    /// Nothing: it could not be judged, or not shown as it is.
-    Nothing,
-}
-
-/// How the files looked at one moment.
-#[derive(PartialEq)]
-struct Seen {
-    suite: Stamps,
-    sources: Stamps,
+    /// That it could not be judged, or nothing yet of how it is now.
+    Unknown,
 }
 
 impl Watch<'_> {
@@ -110,64 +110,56 @@ impl Watch<'_> {
             let started = Instant::now();
             let found = self.see();
             let pause = LOOK_EVERY.max(started.elapsed() * LOOK_ONE_IN);
-            if found != seen {
-                let found = self.settled(found);
+            if found != seen || self.is_unshown {
+                let found = found.at_rest(&self.interrupt, || self.see());
                 self.act_on(&found, &seen)?;
                 seen = found;
             }
             if self.interrupt.wait(pause) {
-                return Ok(self.answer());
+                return self.answer();
             }
         }
     }
 
     fn see(&self) -> Seen {
-        let sources = self.sources.as_deref().map(Stamps::of_sources).unwrap_or_default();
-        Seen { suite: Stamps::of_suite(&self.suite), sources }
-    }
-
-    /// How the files look when they are at rest: an editor writes in several
-    /// steps, and a branch that is checked out many files.
-    fn settled(&self, mut found: Seen) -> Seen {
-        const REST: Duration = Duration::from_millis(60);
-        const MAX_LOOKS: usize = 50;
-        for _ in 0..MAX_LOOKS {
-            if self.interrupt.wait(REST) {
-                break;
-            }
-            let again = self.see();
-            if again == found {
-                break;
-            }
-            found = again;
-        }
-        found
+        Seen::now(&self.suite, self.sources.as_deref())
     }
 
     fn act_on(&mut self, found: &Seen, seen: &Seen) -> Result<(), CannotAsk> {
         let edited = found.sources.changed_since(&seen.sources);
         if let (Some(root), false) = (self.sources.clone(), edited.is_empty()) {
-            println!("\n{}: building", self.say_paths(&edited));
-            match build(&root, &self.interrupt)? {
-                // Built of something in between, and to be built again at once.
-                Built::Program(_) if Stamps::of_sources(&root) != found.sources => {}
-                Built::Program(program) if store::file_hash(&program)? != self.program => {
-                    return Err(become_program(&program, &self.resumed()));
-                }
-                Built::Program(_) => println!("the program is the same"),
-                Built::Failed => {
-                    println!("not built: the verdicts above are of the program before");
-                }
-                Built::Interrupted => return Ok(()),
+            println!("\n{}: building", say_paths(self.suite.root(), &edited));
+            match build(&root, &self.interrupt) {
+                // The cargo that is found next may be another one.
+                Err(CannotAsk(why)) => println!("not built: {}", why.trim_end()),
+                Ok(built) => self.go_on(built, &root, found)?,
             }
         }
         let changed = found.suite.changed_since(&seen.suite);
         let others: Vec<_> = changed.into_iter().filter(|path| !self.is_ours(path)).collect();
-        if others.is_empty() || self.interrupt.is_set() {
+        if others.is_empty() && !self.is_unshown || self.interrupt.is_set() {
             return Ok(());
         }
-        println!("\n{}:", self.say_paths(&others));
+        match others.is_empty() {
+            true => println!("\nsomething was decided meanwhile:"),
+            false => println!("\n{}:", say_paths(self.suite.root(), &others)),
+        }
         self.check()
+    }
+
+    /// Goes on with what was built, if it is another program than this one.
+    fn go_on(&self, built: Built, root: &Path, found: &Seen) -> Result<(), CannotAsk> {
+        match built {
+            // Built of something in between, and to be built again at once.
+            Built::Program(_) if Stamps::of_sources(root) != found.sources => {}
+            Built::Program(program) if store::file_hash(&program)? != self.program => {
+                return Err(become_program(&program, &self.resumed()));
+            }
+            Built::Program(_) => println!("the program is the same"),
+            Built::Failed => println!("not built: the verdicts above are of the program before"),
+            Built::Interrupted => {}
+        }
+        Ok(())
     }
 
     /// Whether this is a golden just as it was accepted here, so that all that
@@ -180,18 +172,6 @@ impl Watch<'_> {
         let name = name.map(|name| name.replace(std::path::MAIN_SEPARATOR, "/"));
         let Some((site, _)) = &self.served else { return false };
         name.is_some_and(|name| site.review().wrote(&name))
-    }
-
-    fn say_paths(&self, paths: &[PathBuf]) -> String {
-        const SHOWN: usize = 3;
-        let label = |path: &PathBuf| {
-            path.strip_prefix(self.suite.root()).unwrap_or(path).display().to_string()
-        };
-        let shown: Vec<_> = paths.iter().take(SHOWN).map(label).collect();
-        match paths.len().saturating_sub(SHOWN) {
-            0 => format!("{} changed", shown.join(", ")),
-            more => format!("{} and {more} more changed", shown.join(", ")),
-        }
     }
 
     /// Judges everything that is selected, says what is said of it and shows it.
@@ -208,22 +188,31 @@ impl Watch<'_> {
             }
             judging.join()
         });
-        self.said = Said::Nothing;
+        self.said = Said::Unknown;
+        self.is_unshown = Stamps::of_suite(&self.suite) != before;
         match judged {
             Ok(Ok((looked, page, review))) => {
                 looked.say(&self.suite, &self.args.say, &self.reader);
-                // What was edited meanwhile is checked in a moment; until then,
-                // nothing is accepted that is not shown.
-                if Stamps::of_suite(&self.suite) == before {
+                // What changed meanwhile is checked in a moment; until then, nothing
+                // is accepted that is not shown.
+                if !self.is_unshown {
                     self.said = if looked.is_green() { Said::AllMatch } else { Said::NotAll };
                     self.show(&page, review)?;
                 }
             }
-            Ok(Err(CannotAsk(why))) => println!("error: {}", why.trim_end()),
+            Ok(Err(CannotAsk(why))) => self.trouble(why.trim_end()),
             // Its message was printed.
-            Err(_) => println!("error: the renderer panicked; edit it, or the fixture"),
+            Err(_) => self.trouble("the renderer panicked; edit it, or the fixture"),
         }
         Ok(())
+    }
+
+    /// Says why the suite cannot be judged as it is, also where it is shown.
+    fn trouble(&self, why: &str) {
+        println!("error: {why}");
+        if let Some((site, _)) = &self.served {
+            site.trouble(why);
+        }
     }
 
     fn judge(&self) -> Result<(Looked, String, Review), CannotAsk> {
@@ -256,8 +245,8 @@ impl Watch<'_> {
         address.map_or(String::new(), |address| format!("{} {}", address.port, address.token))
     }
 
-    fn answer(&self) -> Answer {
-        let mut is_settled = false;
+    fn answer(&self) -> Result<Answer, CannotAsk> {
+        let mut is_settled = self.said == Said::AllMatch;
         if let Some((site, _)) = &self.served {
             let review = site.review();
             let tally = review.tally();
@@ -270,9 +259,11 @@ impl Watch<'_> {
             std::mem::forget(review);
         }
         match self.said {
-            Said::AllMatch => Answer::Yes,
-            Said::NotAll if is_settled => Answer::Yes,
-            Said::NotAll | Said::Nothing => Answer::No,
+            Said::Unknown => {
+                Err(CannotAsk("expected a suite that was judged before it ended".to_owned()))
+            }
+            Said::AllMatch | Said::NotAll if is_settled => Ok(Answer::Yes),
+            Said::AllMatch | Said::NotAll => Ok(Answer::No),
         }
     }
 }

@@ -127,25 +127,38 @@ impl Served {
     /// Decides as the page does.
     #[track_caller]
     pub(crate) fn post(&self, what: &str, names: &[&str]) -> Value {
-        let body = json!({ "names": names }).to_string();
-        let line = format!("POST /{}/api/{what}", self.token);
-        let answer = self.request(&line, &self.page_headers(), &body);
+        let answer = self.post_of(&self.edition(), what, names);
         assert_eq!(answer.status, 200, "{answer:?}");
         answer.json()
+    }
+
+    /// The same as a page of this edition.
+    pub(crate) fn post_of(&self, edition: &str, what: &str, names: &[&str]) -> Answer {
+        let body = json!({ "names": names, "edition": edition }).to_string();
+        let line = format!("POST /{}/api/{what}", self.token);
+        self.request(&line, &self.page_headers(), &body)
+    }
+
+    /// Which page is served.
+    #[track_caller]
+    pub(crate) fn edition(&self) -> String {
+        let page = self.get("").body;
+        let (_, edition) = page.split_once("data-edition=\"").unwrap();
+        edition.split('"').next().unwrap().to_owned()
     }
 
     /// A tab, once it is open.
     #[track_caller]
     pub(crate) fn tab(&self) -> Tab {
-        self.tab_that_has_seen(None)
+        self.tab_of(None)
     }
 
     #[track_caller]
-    pub(crate) fn tab_that_has_seen(&self, id: Option<&str>) -> Tab {
+    pub(crate) fn tab_of(&self, edition: Option<&str>) -> Tab {
         let mut stream = self.connect();
-        let seen = id.map_or(String::new(), |id| format!("Last-Event-ID: {id}\r\n"));
+        let query = edition.map_or(String::new(), |edition| format!("?edition={edition}"));
         let (token, host) = (&self.token, self.host());
-        let text = format!("GET /{token}/events HTTP/1.1\r\nHost: {host}\r\n{seen}\r\n");
+        let text = format!("GET /{token}/events{query} HTTP/1.1\r\nHost: {host}\r\n\r\n");
         stream.write_all(text.as_bytes()).unwrap();
         let mut lines = BufReader::new(stream);
         let mut line = String::new();

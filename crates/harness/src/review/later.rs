@@ -1,7 +1,7 @@
 //! What a later review takes over from an earlier one.
 
 use super::{Decision, Review};
-use crate::verdict::Verdict;
+use crate::verdict::{Outcome, Verdict};
 
 impl Review {
     /// Takes over what was decided in an earlier review of the suite: what was
@@ -10,9 +10,8 @@ impl Review {
     /// was accepted can be taken back for as long as the golden is that.
     pub fn inherit(&mut self, earlier: &Self) {
         let accepted = earlier.accepted.iter();
-        let accepted = accepted.filter(|(name, accepted)| {
-            self.golden_hash(name).as_ref() == Ok(&accepted.after)
-        });
+        let accepted = accepted
+            .filter(|(name, accepted)| self.golden_hash(name).as_ref() == Ok(&accepted.after));
         self.accepted = accepted.map(|(name, one)| (name.clone(), one.clone())).collect();
         let is_settled = |name: &&String| {
             self.outcomes.get(*name).is_none_or(|outcome| outcome.verdict == Verdict::Match)
@@ -31,18 +30,23 @@ impl Review {
     fn shows_the_same(&self, earlier: &Self, name: &str) -> bool {
         match (self.steps.get(name), earlier.steps.get(name)) {
             (Some(now), Some(before)) => now == before,
-            (None, None) => {
-                let now = self.refusal(name);
-                now.is_some() && now == earlier.refusal(name)
-            }
+            (None, None) => self.is_refused_as_in(earlier, name),
             _ => false,
         }
     }
 
-    /// Why nothing can be written for this name, and what is seen of it.
-    fn refusal(&self, name: &str) -> Option<(&str, &[String], Option<&[u8]>)> {
-        let outcome = self.outcomes.get(name)?;
-        let actual = outcome.evidence.as_ref().map(|evidence| evidence.actual.as_slice());
-        Some((self.why_not(name)?, &outcome.findings, actual))
+    /// Whether nothing can be written for the same reasons, of the same picture.
+    fn is_refused_as_in(&self, earlier: &Self, name: &str) -> bool {
+        let (now, before) = (self.outcomes.get(name), earlier.outcomes.get(name));
+        let (Some(now), Some(before)) = (now, before) else { return false };
+        let why = self.why_not(name);
+        why.is_some()
+            && why == earlier.why_not(name)
+            && now.findings == before.findings
+            && picture(now) == picture(before)
     }
+}
+
+fn picture(outcome: &Outcome) -> Option<&[u8]> {
+    Some(&outcome.evidence.as_ref()?.actual)
 }

@@ -2,8 +2,11 @@
 
 const isReviewing = report.kind === "review" || report.kind === "watch";
 
+// Which page this is, of all that its server has shown.
+const edition = document.currentScript.dataset.edition;
+
 // What the server has said last.
-const review = { decisions: {}, canAccept: new Set(), listeners: new Set() };
+const review = { decisions: {}, canAccept: new Set(), canUndo: new Set(), listeners: new Set() };
 
 // How long a stream may be away before it is said to be lost: a reload of the
 // server's page breaks it for a moment.
@@ -18,6 +21,7 @@ function onDecisions(listener) {
 function takeState(state) {
   review.decisions = state.decisions;
   review.canAccept = new Set(state.can_accept);
+  review.canUndo = new Set(state.can_undo);
   for (const listener of review.listeners) listener();
 }
 
@@ -27,12 +31,14 @@ async function ask(path, body) {
     ? {
         method: "POST",
         headers: { "Content-Type": "application/json" },
-        body: JSON.stringify(body),
+        body: JSON.stringify({ ...body, edition }),
       }
     : {};
   try {
     const answer = await fetch(path, options);
     const state = await answer.json();
+    // Another picture than the one that is seen here would be decided about.
+    if (answer.status === 409) reloadPage();
     if (state.decisions) takeState(state);
     else tell({ said: "", why: [state.error ?? `the server answers ${answer.status}`] });
     return state.decisions ? state : null;
@@ -57,7 +63,7 @@ async function decide(action, names) {
 
 function canDecide(action, name) {
   const decision = review.decisions[name];
-  if (action === "undo") return decision !== undefined;
+  if (action === "undo") return review.canUndo.has(name);
   if (action === "accept") return decision !== "accepted" && review.canAccept.has(name);
   // The server takes back what was accepted.
   return decision === "accepted" || (decision === undefined && hasFailed(fixtureByName.get(name)));
@@ -107,7 +113,7 @@ function setLost(isLost) {
 function followServer() {
   if (!isReviewing) return;
   ask("api/state");
-  const stream = new EventSource("events");
+  const stream = new EventSource(`events?edition=${edition}`);
   let timer = null;
   stream.addEventListener("open", () => {
     clearTimeout(timer);
@@ -119,8 +125,13 @@ function followServer() {
     timer ??= setTimeout(() => setLost(true), LOST_AFTER_MS);
   });
   stream.addEventListener("state", (event) => takeState(JSON.parse(event.data)));
-  stream.addEventListener("reload", () => {
-    remember();
-    location.reload();
-  });
+  stream.addEventListener("trouble", (event) =>
+    tell({ said: "", why: [`Nothing can be decided until this is mended: ${JSON.parse(event.data)}`] }),
+  );
+  stream.addEventListener("reload", reloadPage);
+}
+
+function reloadPage() {
+  remember();
+  location.reload();
 }

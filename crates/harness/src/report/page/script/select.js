@@ -2,10 +2,9 @@
 
 const byName = (a, b) => (a.name < b.name ? -1 : Number(a.name > b.name));
 
-// How grave its verdict is, 0 for the gravest; of a report that does not say,
-// only whether it is a failure.
+// Its place among the failures, 0 for the worst; matches have none.
 function rankOf(fixture) {
-  return fixture.rank ?? Number(!hasFailed(fixture));
+  return fixture.rank ?? Number.MAX_SAFE_INTEGER;
 }
 
 // Each order with its words and its comparison; ties are broken by name.
