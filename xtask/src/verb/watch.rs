@@ -140,9 +140,10 @@ impl Watch<'_> {
         if others.is_empty() && !self.is_unshown || self.interrupt.is_set() {
             return Ok(());
         }
-        match others.is_empty() {
-            true => println!("\nsomething was decided meanwhile:"),
-            false => println!("\n{}:", say_paths(self.suite.root(), &others)),
+        if others.is_empty() {
+            println!("\nsomething was decided meanwhile:");
+        } else {
+            println!("\n{}:", say_paths(self.suite.root(), &others));
         }
         self.check()
     }
