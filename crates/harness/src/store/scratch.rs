@@ -1,10 +1,8 @@
 //! `Scratch`: a folder for a while.
 
-use std::fs::OpenOptions;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::StoreError;
+use super::{StoreError, write_new};
 
 /// A folder for what is needed for a while; it goes away with this.
 #[derive(Debug)]
@@ -27,18 +25,14 @@ impl Scratch {
         self.0.path().join(name)
     }
 
-    /// Writes a file of this name that nobody else may read; where it is.
+    /// Writes a file of this name, which nobody else can get at in this folder;
+    /// where it is.
     ///
     /// # Errors
     /// Whatever kept it from being written.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, StoreError> {
         let path = self.path(name);
-        let mut options = OpenOptions::new();
-        options.write(true).create_new(true);
-        #[cfg(unix)]
-        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
-        let written = options.open(&path).and_then(|mut file| file.write_all(bytes));
-        written.map_err(|error| StoreError::io(&path, &error))?;
+        write_new(&path, bytes)?;
         Ok(path)
     }
 }
