@@ -76,7 +76,7 @@ def hold_xml(file, document):
     schema.validate(file)
     root = ElementTree.parse(file).getroot()
     cases = [f"{case.get('classname')}/{case.get('name')}" for case in root.iter("testcase")]
-    names = [f["name"] if "/" in f["name"] else f"fixtures/{f['name']}" for f in document["fixtures"]]
+    names = [f"fixtures/{fixture['name']}" for fixture in document["fixtures"]]
     if sorted(cases) != sorted(names):
         sys.exit(f"{file}: expected the fixtures {names}, found {cases}")
     tried = 0
