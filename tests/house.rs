@@ -55,7 +55,17 @@ fn the_tracer_depends_on_nothing_that_does_io() {
 
 #[test]
 fn crates_import_only_downwards() {
-    let ours = ["tracer", "scene", "harness", "stress", "xtask", "xtask-stress", "conformance"];
+    let ours = [
+        "tracer",
+        "scene",
+        "interchange",
+        "harness",
+        "conform",
+        "stress",
+        "xtask",
+        "xtask-stress",
+        "conformance",
+    ];
     let below = |manifest: &str| -> Vec<String> {
         let all = dependencies(manifest, "[dependencies]");
         all.into_iter().filter(|name| ours.contains(&name.as_str())).collect()
@@ -63,8 +73,10 @@ fn crates_import_only_downwards() {
     assert_eq!(below("crates/tracer/Cargo.toml"), [""; 0]);
     assert_eq!(below("crates/scene/Cargo.toml"), ["tracer"]);
     assert_eq!(below("crates/harness/Cargo.toml"), ["scene", "tracer"]);
+    assert_eq!(below("crates/interchange/Cargo.toml"), ["scene", "tracer"]);
+    assert_eq!(below("crates/conform/Cargo.toml"), ["harness", "interchange", "scene", "tracer"]);
     assert_eq!(below("crates/stress/Cargo.toml"), ["tracer"]);
-    assert_eq!(below("xtask/Cargo.toml"), ["harness"]);
+    assert_eq!(below("xtask/Cargo.toml"), ["conform", "harness", "interchange"]);
     assert_eq!(below("xtask/stress/Cargo.toml"), ["harness", "stress", "xtask"]);
 }
 

@@ -1,0 +1,16 @@
+//! Other people's renderers under test.
+//!
+//! ```text
+//! fixture -> interchange::export -> scratch folder -> the renderer -> picture
+//!                                                                       |
+//! goldray's own picture, its edges, golden, expectations -> judge -> FixtureResult
+//!                                                                       |
+//!                                    scorecard, badge, consensus, grade <+
+//! ```
+//!
+//! A renderer that crashes, hangs or writes garbage is an [`Outcome`], never an
+//! `Err`. Files are opened by the store of the harness; nothing is printed.
+
+pub mod result;
+
+pub use result::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};
