@@ -1,7 +1,8 @@
-//! What goldray's command lines share: how a verb ends, where it was given, how
-//! far it is. `xtask` is one of them, `xtask-stress` the other.
+//! goldray's command line, and what it shares with that of `xtask-stress`: how a
+//! verb ends, where it was given, how far it is.
 
 pub mod browser;
+pub mod cli;
 pub mod interrupt;
 pub mod look;
 pub mod progress;
@@ -9,6 +10,7 @@ pub mod rebuild;
 pub mod say;
 pub mod serve;
 pub mod terminal;
+mod verb;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

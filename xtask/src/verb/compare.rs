@@ -9,7 +9,7 @@ use harness::report::{comparison_json, comparison_lines};
 use harness::store;
 use serde_json::json;
 
-use xtask::{Answer, CannotAsk};
+use crate::{Answer, CannotAsk};
 
 /// Flags of `compare`.
 #[derive(Debug, clap::Args)]

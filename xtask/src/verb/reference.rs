@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::CannotAsk;
 use harness::encode::EncodedImage;
 use harness::fixture::Fixture;
 use harness::judge::Found;
 use harness::run::find_golden;
 use harness::store::{self, Scratch};
-use xtask::CannotAsk;
 
 /// How long it may take for a picture.
 const PATIENCE: Duration = Duration::from_mins(1);

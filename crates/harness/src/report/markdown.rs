@@ -75,7 +75,7 @@ fn row(outcome: &Outcome, reader: &Reader) -> String {
     let what = match (command(outcome, reader), advice(outcome, reader)) {
         (Some(command), _) => format!("if meant: {}", code(&command)),
         (None, Some(advice)) => prose(&advice),
-        (None, None) => code(&rerun(outcome, reader)),
+        (None, None) => code(&rerun(&outcome.name, reader)),
     };
     format!(
         "| {} | {} | {} | {what} |\n",

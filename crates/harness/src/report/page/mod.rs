@@ -19,6 +19,7 @@ use super::json::{metrics_json, summary_json};
 use super::summary::summarize;
 use super::text::Reader;
 use super::worst::failures;
+use crate::called;
 use crate::suite::Suite;
 use crate::verdict::{Outcome, Verdict};
 use assets::{PAGE, SCRIPTS, STYLE};
@@ -76,6 +77,7 @@ pub fn html(
     let report = json!({
         "schema": 1,
         "kind": kind.id(),
+        "called": called::command(),
         "root_flag": reader.root_flag,
         "summary": summary_json(outcomes, elapsed_ms),
         "metrics": metrics_json(),
