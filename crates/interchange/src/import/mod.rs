@@ -3,6 +3,16 @@
 //! To add a format: write its file with a function that makes an [`Imported`] of
 //! a [`Source`], and add its line to `READERS`.
 
+mod cornell;
+mod files;
+mod nff;
+mod polygon;
+mod prove;
+mod report;
+mod sense;
+mod text;
+mod wish;
+
 use scene::{Assets, SceneFile, Unchecked};
 
 /// A foreign file.
@@ -56,10 +66,13 @@ pub struct Wishes {
     pub camera: Option<scene::format::Camera>,
     /// The picture's size, in place of the file's own.
     pub image: Option<(u32, u32)>,
+    /// The shading convention, in place of a guess: the course's files do not say theirs.
+    pub shading: Option<scene::format::Shading>,
 }
 
 /// Reads a foreign scene. Files that it names are asked of `assets`, relative to
-/// its own folder.
+/// its own folder: a path that begins with `..` leads out of it, and whoever has
+/// only that folder refuses it.
 ///
 /// # Errors
 /// Every reason why there is no scene at all.
@@ -89,4 +102,4 @@ pub fn import(
 type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unreadable>>;
 
 /// Formats by the endings of their files' names, in lower case.
-const READERS: &[(&str, Reader)] = &[];
+const READERS: &[(&str, Reader)] = &[("xml", cornell::read), ("nff", nff::read)];
