@@ -3,6 +3,13 @@
 //! To add a format: write its file with a function that makes an [`Imported`] of
 //! a [`Source`], and add its line to `READERS`.
 
+mod mesh;
+mod obj;
+mod ply;
+mod stl;
+#[cfg(test)]
+mod tests;
+
 use scene::{Assets, SceneFile, Unchecked};
 
 /// A foreign file.
@@ -89,4 +96,4 @@ pub fn import(
 type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unreadable>>;
 
 /// Formats by the endings of their files' names, in lower case.
-const READERS: &[(&str, Reader)] = &[];
+const READERS: &[(&str, Reader)] = &[("obj", obj::read), ("ply", ply::read), ("stl", stl::read)];
