@@ -13,5 +13,6 @@
 pub mod export;
 pub mod feature;
 pub mod import;
+pub mod polygon;
 
 pub use feature::Feature;

@@ -12,6 +12,12 @@ mod report;
 mod sense;
 mod text;
 mod wish;
+mod mesh;
+mod obj;
+mod ply;
+mod stl;
+#[cfg(test)]
+mod tests;
 
 use scene::{Assets, SceneFile, Unchecked};
 
@@ -102,4 +108,10 @@ pub fn import(
 type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unreadable>>;
 
 /// Formats by the endings of their files' names, in lower case.
-const READERS: &[(&str, Reader)] = &[("xml", cornell::read), ("nff", nff::read)];
+const READERS: &[(&str, Reader)] = &[
+    ("xml", cornell::read),
+    ("nff", nff::read),
+    ("obj", obj::read),
+    ("ply", ply::read),
+    ("stl", stl::read),
+];

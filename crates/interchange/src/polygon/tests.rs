@@ -1,0 +1,171 @@
+//! Polygons of every kind, and random ones.
+
+use super::*;
+
+/// Points of the plane put into a slanted plane of space.
+fn in_space(points: &[[f64; 2]], axis: usize) -> Vec<DVec3> {
+    let place = |&[x, y]: &[f64; 2]| {
+        let mut p = [0.0; 3];
+        (p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]) = (x + 2.0 * y, x, y);
+        DVec3::from_array(p)
+    };
+    points.iter().map(place).collect()
+}
+
+fn area(points: &[[f64; 2]], corners: &[usize]) -> f64 {
+    let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
+    let n = corners.len();
+    (0..n).map(|i| cross(points[corners[i]], points[corners[(i + 1) % n]])).sum::<f64>() / 2.0
+}
+
+/// Cut both ways around and from all sides, it has so many triangles, which have its area.
+#[track_caller]
+fn check(points: &[[f64; 2]], count: usize) {
+    let all: Vec<usize> = (0..points.len()).collect();
+    let whole = area(points, &all);
+    for axis in 0..3 {
+        for first in 0..points.len() {
+            let mut turned = points.to_vec();
+            turned.rotate_left(first);
+            let triangles = Cutter::default().cut(&in_space(&turned, axis)).unwrap();
+            assert_eq!(triangles.len(), count, "{turned:?} along {axis}: {triangles:?}");
+            let areas: Vec<f64> = triangles.iter().map(|t| area(&turned, t)).collect();
+            assert!(areas.iter().all(|a| a * whole > 0.0), "{turned:?}: {areas:?}");
+            let sum: f64 = areas.iter().sum();
+            assert!((sum - whole).abs() <= 1e-9 * whole.abs(), "{turned:?}: {sum}, not {whole}");
+        }
+    }
+    if whole > 0.0 {
+        let back: Vec<_> = points.iter().rev().copied().collect();
+        check(&back, count);
+    }
+}
+
+#[track_caller]
+fn check_problem(points: &[[f64; 2]], expected: Problem) {
+    for axis in 0..3 {
+        assert_eq!(Cutter::default().cut(&in_space(points, axis)), Err(expected), "{points:?}");
+    }
+}
+
+#[test]
+fn polygons_of_every_kind_are_cut() {
+    check(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], 2);
+    // An arrowhead.
+    check(&[[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [-4.0, 4.0]], 2);
+    // Corners in the middle of edges are used, so that neighbors fit.
+    check(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [0.0, 2.0]], 4);
+    check(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 2.0]], 2);
+    // Repetitions are not.
+    check(&[[0.0, 0.0], [2.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]], 2);
+    // A comb.
+    check(
+        &[
+            [0.0, 0.0],
+            [6.0, 0.0],
+            [6.0, 3.0],
+            [5.0, 1.0],
+            [4.0, 3.0],
+            [3.0, 1.0],
+            [2.0, 3.0],
+            [1.0, 1.0],
+            [0.0, 3.0],
+        ],
+        7,
+    );
+    // A square with a square hole, by a bridge: there, around, and back again.
+    check(
+        &[
+            [0.0, 0.0],
+            [9.0, 0.0],
+            [9.0, 9.0],
+            [0.0, 9.0],
+            [0.0, 0.0],
+            [3.0, 3.0],
+            [3.0, 6.0],
+            [6.0, 6.0],
+            [6.0, 3.0],
+            [3.0, 3.0],
+        ],
+        8,
+    );
+    // One corner a single bit inside.
+    let inside = 1.0_f64.next_down();
+    check(&[[0.0, 0.0], [2.0, 0.0], [inside, inside], [0.0, 2.0]], 2);
+}
+
+#[test]
+fn what_cannot_be_cut_is_a_problem() {
+    check_problem(&[], Problem::NoArea);
+    check_problem(&[[0.0, 0.0], [1.0, 0.0]], Problem::NoArea);
+    check_problem(&[[0.0, 0.0]; 5], Problem::NoArea);
+    check_problem(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]], Problem::NoArea);
+    check_problem(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0]], Problem::NoArea);
+    check_problem(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], Problem::NoArea);
+    check_problem(&[[0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [0.0, 2.0]], Problem::Crossing);
+    // A star of five points drawn in one line winds around its middle twice.
+    let star = [[0.0, 3.0], [2.0, -3.0], [-3.0, 1.0], [3.0, 1.0], [-2.0, -3.0]];
+    check_problem(&star, Problem::Crossing);
+    // Two triangles that meet in a corner, around opposite ways.
+    let eight = [[0.0, 0.0], [3.0, -1.0], [3.0, 1.0], [0.0, 0.0], [-2.0, -1.0], [-2.0, 1.0]];
+    check_problem(&eight, Problem::Crossing);
+}
+
+#[test]
+fn a_way_there_and_back_is_left_out() {
+    let spike = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [7.0, 7.0], [4.0, 4.0], [0.0, 4.0]];
+    let triangles = Cutter::default().cut(&in_space(&spike, 0)).unwrap();
+    let sum: f64 = triangles.iter().map(|t| area(&spike, t)).sum();
+    assert_eq!(sum, 16.0, "{triangles:?}");
+}
+
+#[test]
+fn random_star_shaped_polygons_are_covered() {
+    let mut rng = fastrand::Rng::with_seed(7);
+    for _ in 0..300 {
+        let n = rng.usize(4..40);
+        let point = |i: usize, r: f64| {
+            let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / n as f64);
+            [r * cos, r * sin]
+        };
+        let points: Vec<_> = (0..n).map(|i| point(i, 0.05 + rng.f64())).collect();
+        let triangles = Cutter::default().cut(&in_space(&points, 1)).unwrap();
+        assert_eq!(triangles.len(), n - 2, "{points:?}");
+        let all: Vec<usize> = (0..n).collect();
+        let sum: f64 = triangles.iter().map(|t| area(&points, t)).sum();
+        assert!((sum - area(&points, &all)).abs() < 1e-9, "{points:?}");
+    }
+}
+
+#[test]
+fn random_corners_never_panic_or_hang() {
+    let mut rng = fastrand::Rng::with_seed(8);
+    for _ in 0..3_000 {
+        let n = rng.usize(0..12);
+        let points: Vec<_> = (0..n).map(|_| [rng.u8(0..4), rng.u8(0..4)].map(f64::from)).collect();
+        if let Ok(triangles) = Cutter::default().cut(&in_space(&points, 2)) {
+            let all: Vec<usize> = (0..n).collect();
+            let sum: f64 = triangles.iter().map(|t| area(&points, t)).sum();
+            assert_eq!(sum, area(&points, &all), "{points:?}: {triangles:?}");
+        }
+    }
+}
+
+#[test]
+fn work_has_an_end() {
+    let mut cutter = Cutter { work_left: 100 };
+    let arrow = in_space(&[[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [-4.0, 4.0]], 0);
+    let cuts = (0..100).take_while(|_| cutter.cut(&arrow).is_ok()).count();
+    assert!((1..10).contains(&cuts), "{cuts}");
+    assert_eq!(cutter.cut(&arrow), Err(Problem::TooMuchWork));
+}
+
+#[test]
+fn how_far_off_its_plane() {
+    let flat = in_space(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], 1);
+    assert!(off_plane(&flat) < 1e-15);
+    let bent = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.5), DVec3::Y];
+    assert!(off_plane(&bent) > 0.1);
+    assert_eq!(off_plane(&[]), 0.0);
+    assert_eq!(off_plane(&[DVec3::ONE; 4]), 0.0);
+}
