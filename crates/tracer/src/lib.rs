@@ -74,7 +74,7 @@ pub use refused::{Refusal, Refused};
 pub use render::{Filter, Sampler, Samples, objects_seen, render, render_counted};
 pub use scene::{Scene, SceneParts};
 pub use shading::Convention;
-pub use show::Show;
+pub use show::{Show, id_color};
 pub use simd::Instructions;
 pub use transform::Transform;
 pub use unit::UnitVec;
