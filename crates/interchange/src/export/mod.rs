@@ -2,6 +2,8 @@
 //!
 //! To add a dialect: write its file, and add its line to [`Dialect`].
 
+mod ron;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use scene::{Assets, SceneFile, Unchecked};
@@ -58,6 +60,8 @@ pub fn export(
     scene: &SceneFile<Unchecked>,
     assets: &dyn Assets,
 ) -> Result<Exported, NotWritten> {
-    let _ = (dialect, scene, assets);
-    Err(NotWritten::Cannot(crate::feature::features(scene)))
+    match dialect {
+        Dialect::Ron => ron::write(scene, assets),
+        _ => Err(NotWritten::Cannot(crate::feature::features(scene))),
+    }
 }
