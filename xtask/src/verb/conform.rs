@@ -80,7 +80,7 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         let plan =
             Plan { jobs: args.jobs.into(), timeout: args.timeout, folder: &folder, stop: &stop };
         let Some(conformed) = one(renderer, &subjects, &plan)? else {
-            return interrupted(&renderer.info.name);
+            return Ok(interrupted(&renderer.info.name));
         };
         println!("results: {}", folder.join(RESULTS).display());
         all.push(conformed);
@@ -97,10 +97,10 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 }
 
 /// What a shell calls ended by Ctrl-C.
-fn interrupted(name: &str) -> Result<Answer, CannotAsk> {
+fn interrupted(name: &str) -> Answer {
     const CODE: u8 = 130;
     eprintln!("interrupted: {name} has not rendered everything, and nothing of it is left running");
-    Ok(Answer::Code(CODE))
+    Answer::Code(CODE)
 }
 
 /// The renderers that were named, each of which is there.
@@ -202,11 +202,10 @@ fn words(outcome: Outcome) -> &'static str {
 /// What is said of a fixture that does not pass.
 fn line(told: &Told<'_>) -> String {
     let Told { name, result, by_hand } = told;
-    let mut line = format!("{:<11} {name}: {}", words(result.outcome), result.findings.join(" | "));
-    if let Some(by_hand) = by_hand {
-        line.push_str(&format!("\n            by hand: {by_hand}"));
-    }
-    line
+    let by_hand = by_hand.as_ref();
+    let by_hand = by_hand.map(|by_hand| format!("\n            by hand: {by_hand}"));
+    let findings = result.findings.join(" | ");
+    format!("{:<11} {name}: {findings}{}", words(result.outcome), by_hand.unwrap_or_default())
 }
 
 /// How many of each outcome, and how far the interior of those that pass is off.

@@ -38,7 +38,8 @@ const FOLDER: &str = "adapters";
 /// # Errors
 /// There is none, or it cannot be read, as text for people.
 pub fn locate(suite: &Suite, wanted: &str) -> Result<Located, String> {
-    let is_path = wanted.contains(['/', std::path::MAIN_SEPARATOR]) || wanted.ends_with(".ron");
+    let is_path = wanted.contains(['/', std::path::MAIN_SEPARATOR])
+        || Path::new(wanted).extension().is_some_and(|ending| ending == "ron");
     if is_path {
         let path = Path::new(wanted);
         let path = if store::is_folder(path) { path.join("adapter.ron") } else { path.to_owned() };

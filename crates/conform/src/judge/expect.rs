@@ -55,7 +55,7 @@ impl Asked<'_> {
         let index = self.index(at);
         let expected = self.reference.rendered.linear.pixels()[index];
         let widened = self.tolerance * self.scale.at(expected);
-        self.levels.levels()[index].map(|level| level.widened(widened))
+        self.levels.pixels()[index].map(|level| level.widened(widened))
     }
 
     fn found(&self, (x, y): (u32, u32)) -> String {

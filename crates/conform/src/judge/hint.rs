@@ -16,7 +16,7 @@ pub(super) fn hint(
     let turned = [meaning.rows, meaning.rows.turned()];
     let all = turned
         .into_iter()
-        .flat_map(|rows| Transfer::ALL.map(|transfer| Meaning { rows, transfer, ..meaning }));
+        .flat_map(|rows| Transfer::ALL.map(|transfer| Meaning { transfer, rows, ..meaning }));
     let is_right = |other: &Meaning| {
         let levels = Levels::of(stored, *other);
         levels.is_ok_and(|levels| judge(reference, &levels, allowance).numbers.interior_off == 0)

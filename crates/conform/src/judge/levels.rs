@@ -41,7 +41,7 @@ impl Level {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Levels {
     size: Size,
-    levels: Vec<[Level; 3]>,
+    pixels: Vec<[Level; 3]>,
     nominal: LinearImage,
     is_stepped: bool,
 }
@@ -69,7 +69,7 @@ impl Levels {
             Rows::BottomFirst => rows.rev().flatten().copied().collect(),
         };
         let depth = stored.depth();
-        let levels = values.iter().map(|pixel| pixel.map(|c| level(c, depth, meaning))).collect();
+        let levels = values.iter().map(|pixel| pixel.map(|c| level(c, depth, meaning)));
         let nominal = |c: f64| match depth {
             Depth::Codes { max } => meaning.transfer.linear(c / f64::from(max)),
             Depth::Half | Depth::Single => meaning.transfer.linear(c),
@@ -77,7 +77,7 @@ impl Levels {
         let pixels = values.iter().map(|pixel| Rgb::from(pixel.map(nominal))).collect();
         let nominal =
             LinearImage::from_pixels(size, pixels).ok_or("has a wrong count of pixels")?;
-        Ok(Self { size, levels, nominal, is_stepped: depth != Depth::Single })
+        Ok(Self { size, pixels: levels.collect(), nominal, is_stepped: depth != Depth::Single })
     }
 
     /// Width and height.
@@ -86,8 +86,8 @@ impl Levels {
     }
 
     /// What each pixel may be, row by row from the top.
-    pub fn levels(&self) -> &[[Level; 3]] {
-        &self.levels
+    pub fn pixels(&self) -> &[[Level; 3]] {
+        &self.pixels
     }
 
     /// The picture with each number taken as it is.
@@ -121,7 +121,7 @@ fn level(stored: f64, depth: Depth, meaning: Meaning) -> Level {
             let [below, above] = [single.next_down(), single.next_up()].map(f64::from);
             // Beyond the largest there is no other.
             let middle =
-                |other: f64| if other.is_finite() { (stored + other) / 2.0 } else { stored };
+                |other: f64| if other.is_finite() { f64::midpoint(stored, other) } else { stored };
             Level { low: linear(middle(below)), high: linear(middle(above)) }
         }
         Depth::Half => {
@@ -172,7 +172,7 @@ mod tests {
         check(100.0, EIGHT, down, 100.0 / 255.0, 101.0 / 255.0);
         check(0.0, EIGHT, down, f64::NEG_INFINITY, 1.0 / 255.0);
         let gamma = Meaning { transfer: Transfer::Gamma22, ..plain };
-        let power = |c: f64| (c / 255.0).powf(2.2);
+        let power = |c: f64| libm::pow(c / 255.0, 2.2);
         check(100.0, EIGHT, gamma, power(99.5), power(100.5));
     }
 

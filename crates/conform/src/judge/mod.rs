@@ -68,7 +68,7 @@ pub fn judge(reference: &Reference<'_>, levels: &Levels, allowance: Allowance) -
     let errors: Vec<f64> = linear
         .pixels()
         .iter()
-        .zip(levels.levels())
+        .zip(levels.pixels())
         .map(|(pixel, levels)| error(*pixel, levels, scale))
         .collect();
     let is_off = |error: f64| !(error <= allowance.tolerance);
@@ -214,7 +214,7 @@ fn strange(
         let Around { low, high } = near.fold(around, Around::with);
         let slack = (BEYOND + tolerance) * scale.at(high).max(scale.at(low));
         let between = low.channels().into_iter().zip(high.channels());
-        let mut pairs = between.zip(&levels.levels()[at]);
+        let mut pairs = between.zip(&levels.pixels()[at]);
         pairs.any(|((low, high), level)| !level.meets(Level { low, high }.widened(slack)))
     };
     let strange: Vec<usize> = (0..off.len()).filter(is_strange).collect();
@@ -236,7 +236,7 @@ fn step(linear: &LinearImage, levels: &Levels, scale: Scale) -> f64 {
         let halves = levels.iter().map(|level| (level.high - level.low) / 2.0);
         halves.filter(|half| half.is_finite()).fold(0.0, f64::max) / scale.at(*pixel)
     };
-    linear.pixels().iter().zip(levels.levels()).map(of_pixel).fold(0.0, f64::max)
+    linear.pixels().iter().zip(levels.pixels()).map(of_pixel).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -94,7 +94,9 @@ mod tests {
     #[track_caller]
     fn check(parts: &[&[u8]], expected: &str) {
         let mut heard = Heard::default();
-        parts.iter().for_each(|part| heard.add(part));
+        for part in parts {
+            heard.add(part);
+        }
         assert_eq!(heard.text(), expected);
     }
 

@@ -118,5 +118,6 @@ pub fn end_of(group: &mut Group, bounds: &Bounds<'_>) -> std::io::Result<Ended> 
     }
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests;

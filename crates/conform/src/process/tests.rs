@@ -65,7 +65,7 @@ fn a_program_that_hangs_is_killed_with_its_children() {
     let script = "trap '' TERM; sh -c 'trap \"\" TERM; sleep 1000' & echo $!; echo $$; wait";
     let ran = run_for(script, Duration::from_secs(3));
     assert_eq!(ran.ended, Ended::OutOfTime);
-    assert!(ran.elapsed < Duration::from_secs(60));
+    assert!(ran.elapsed < Duration::from_mins(1));
     let said = ran.stdout.text();
     assert_eq!(said.lines().count(), 2, "{said}");
     said.lines().for_each(is_gone);
@@ -114,7 +114,7 @@ fn all_ends_when_it_is_time() {
     let bounds = Bounds { time: LONG, growth: None, stop: &|_| true };
     let ran = run(&mut shell("sleep 1000"), &bounds).unwrap();
     assert_eq!(ran.ended, Ended::Stopped);
-    assert!(ran.elapsed < Duration::from_secs(60));
+    assert!(ran.elapsed < Duration::from_mins(1));
 }
 
 #[test]

@@ -49,16 +49,10 @@ impl Renderer {
         let folder = out.join(&located.id);
         store::empty_artifacts(&folder).map_err(failed)?;
         let folder = absolute(&folder)?;
-        let own = match located.folder {
-            Some(own) => own,
-            None => {
-                let own = folder.join("adapter");
-                for (name, bytes) in located.programs {
-                    store::write(&own.join(name), bytes).map_err(failed)?;
-                }
-                own
-            }
-        };
+        let own = located.folder.unwrap_or_else(|| folder.join("adapter"));
+        for (name, bytes) in located.programs {
+            store::write(&own.join(name), bytes).map_err(failed)?;
+        }
         let filling = Filling {
             folder: own.display().to_string(),
             root: absolute(suite.root())?.display().to_string(),
@@ -90,14 +84,14 @@ impl Renderer {
             let program = word.filled(&self.filling);
             let is_relative = Path::new(&program).is_relative() && program.contains('/');
             if is_relative {
-                return Err(self.cannot(format!(
+                return Err(self.cannot(&format!(
                     "{label}: `{field}`: expected a program by its name or its whole path, found \
                      \"{program}\": write {{folder}}/... for what is beside the adapter file, or \
                      {{root}}/... for what is in the suite"
                 )));
             }
             if find_program(&program, own_path).is_none() {
-                return Err(self.cannot(format!("there is no program \"{program}\" here")));
+                return Err(self.cannot(&format!("there is no program \"{program}\" here")));
             }
         }
         Ok(())
@@ -112,7 +106,7 @@ impl Renderer {
             self.adapter.version.iter().map(|word| word.filled(&self.filling)).collect();
         let bounds = Bounds { time: PATIENCE, growth: None, stop };
         let ran = run(&mut self.command(&words, folder), &bounds)
-            .map_err(|error| self.cannot(format!("\"{}\": {error}", words.join(" "))))?;
+            .map_err(|error| self.cannot(&format!("\"{}\": {error}", words.join(" "))))?;
         let (stdout, stderr) = (ran.stdout.text(), ran.stderr.text());
         let first = |text: &str| {
             let line = text.lines().map(str::trim).find(|line| !line.is_empty());
@@ -121,7 +115,7 @@ impl Renderer {
         let said = first(&stdout).or_else(|| first(&stderr));
         match ran.ended {
             Ended::Alone(status) if status.success() => said.ok_or_else(|| {
-                self.cannot(format!("\"{}\" says nothing: expected a version", words.join(" ")))
+                self.cannot(&format!("\"{}\" says nothing: expected a version", words.join(" ")))
             }),
             Ended::Alone(status) => {
                 // The last line of a failure says most.
@@ -129,10 +123,10 @@ impl Renderer {
                 let said = last.map(|line| format!(": {}", scene::visible(line)));
                 let words = words.join(" ");
                 Err(self
-                    .cannot(format!("\"{words}\" failed: {status}{}", said.unwrap_or_default())))
+                    .cannot(&format!("\"{words}\" failed: {status}{}", said.unwrap_or_default())))
             }
             Ended::Stopped => Err(CannotAsk("interrupted".to_owned())),
-            Ended::OutOfTime | Ended::TooMuch => Err(self.cannot(format!(
+            Ended::OutOfTime | Ended::TooMuch => Err(self.cannot(&format!(
                 "\"{}\" took more than {} s",
                 words.join(" "),
                 PATIENCE.as_secs()
@@ -140,7 +134,7 @@ impl Renderer {
         }
     }
 
-    fn cannot(&self, why: String) -> CannotAsk {
+    fn cannot(&self, why: &str) -> CannotAsk {
         let help = match self.adapter.help.as_str() {
             "" => String::new(),
             help => format!("; {help}"),

@@ -1,6 +1,5 @@
 //! One scene given to a renderer, and what came of it.
 
-use std::collections::BTreeMap;
 use std::time::Duration;
 
 use harness::picture_file::Stored;
@@ -247,8 +246,8 @@ fn last_words(ran: &Ran) -> String {
 
 /// All that was kept of what it printed.
 fn printed(ran: &Ran) -> String {
-    let parts: BTreeMap<_, _> =
-        [("1. standard output", &ran.stdout), ("2. standard error", &ran.stderr)].into();
+    let parts = [("standard output", &ran.stdout), ("standard error", &ran.stderr)];
     let parts = parts.into_iter().filter(|(_, heard)| heard.bytes() > 0);
-    parts.map(|(name, heard)| format!("== {name}\n{}\n", heard.text())).collect()
+    let parts = parts.map(|(name, heard)| format!("== {name}\n{}\n", heard.text()));
+    parts.collect::<Vec<_>>().concat()
 }

@@ -42,7 +42,7 @@ pub fn to_exr(picture: &LinearImage) -> Result<Vec<u8>, String> {
 
 /// How finely its colors are told apart: as the coarsest of R, G and B.
 ///
-/// Source: "OpenEXR File Layout", sections "Header" and "Predefined attribute
+/// Source: "`OpenEXR` File Layout", sections "Header" and "Predefined attribute
 /// types": attributes of a name, a type, a size and a value each; a list of
 /// channels has for each its name, a type (1 is half, 2 float) and 12 bytes more.
 fn depth(bytes: &[u8]) -> Result<Depth, String> {

@@ -10,8 +10,8 @@ pub fn folder_bytes(folder: &Path) -> u64 {
     let files = WalkDir::new(folder).into_iter().filter_map(Result::ok);
     files
         .filter_map(|file| file.metadata().ok())
-        .filter(|file| file.is_file())
-        .fold(0, |all: u64, file| all.saturating_add(file.len()))
+        .map(|found| if found.is_file() { found.len() } else { 0 })
+        .fold(0, u64::saturating_add)
 }
 
 /// Whether this is a file that may be run.
