@@ -55,6 +55,8 @@ enum Verb {
     Render(verb::render::Args),
     /// Compare two picture files by every metric
     Compare(verb::compare::Args),
+    /// Render the suite by another renderer, and judge its pictures
+    Conform(verb::conform::Args),
     /// Draw all goldens on one sheet
     ContactSheet(verb::contact_sheet::Args),
     /// Make the meshes that the fixtures use
@@ -126,6 +128,7 @@ fn run(command: Command) -> ExitCode {
         Verb::List(args) => verb::list::run(&here, &args),
         Verb::Render(args) => verb::render::run(&here, &args),
         Verb::Compare(args) => verb::compare::run(&args),
+        Verb::Conform(args) => verb::conform::run_verb(&here, &args),
         Verb::ContactSheet(args) => verb::contact_sheet::run(&here, &args),
         Verb::Meshes => verb::meshes::run(&here),
         Verb::Bench(bench) => verb::bench::run(&here, &bench),

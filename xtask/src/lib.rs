@@ -130,7 +130,7 @@ impl Here {
     pub fn may_write(&self, path: &Path) -> Result<(), CannotAsk> {
         if let Ok(suite) = self.suite() {
             // What is in the artifacts' folder is gone with the next check.
-            for folder in ["fixtures", "golden", Suite::ARTIFACTS, Suite::CACHE] {
+            for folder in ["fixtures", "golden", Suite::ARTIFACTS, Suite::CONFORM, Suite::CACHE] {
                 if store::is_inside(path, &suite.root().join(folder)) {
                     let what = format!("expected a place outside of the suite's {folder}/");
                     return Err(CannotAsk::file(path, &what));

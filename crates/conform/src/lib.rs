@@ -11,6 +11,10 @@
 //! A renderer that crashes, hangs or writes garbage is an [`Outcome`], never an
 //! `Err`. Files are opened by the store of the harness; nothing is printed.
 
+pub mod adapter;
+pub mod judge;
+pub mod process;
 pub mod result;
+pub mod run;
 
 pub use result::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};

@@ -102,6 +102,10 @@ impl Suite {
     /// The page that a check writes, relative to the suite.
     pub const REPORT: &str = "target/goldray/report.html";
 
+    /// The folder for what other renderers leave behind, relative to the suite. It
+    /// is no part of [`Suite::ARTIFACTS`], which every check empties.
+    pub const CONFORM: &str = "target/goldray-conform";
+
     /// The folder for what one run tells the next, relative to the suite.
     pub const CACHE: &str = "target/goldray-cache";
 

@@ -71,7 +71,7 @@ pub use meter::{Event, Stats};
 pub use plan::{Plan, Skipping};
 pub use ray::Ray;
 pub use refused::{Refusal, Refused};
-pub use render::{Filter, Sampler, Samples, objects_seen, render, render_counted};
+pub use render::{Around, Filter, Sampler, Samples, edges, objects_seen, render, render_counted};
 pub use scene::{Scene, SceneParts};
 pub use shading::Convention;
 pub use show::{Show, id_color};

@@ -15,14 +15,14 @@ use crate::{Answer, CannotAsk};
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
-    /// A PNG or EXR file
+    /// A PNG, EXR, PFM or PPM file
     golden: PathBuf,
-    /// A PNG or EXR file of the same size
+    /// A file of the same size
     actual: PathBuf,
     /// As JSON
     #[arg(long)]
     json: bool,
-    /// How linear pictures (EXR) become 8 bits
+    /// How linear pictures (EXR, PFM) become 8 bits
     #[arg(long, value_enum, default_value = "gamma22")]
     encoding: Encoding,
 }

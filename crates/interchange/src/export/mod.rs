@@ -5,6 +5,7 @@
 mod mitsuba;
 mod plain;
 mod povray;
+mod ron;
 mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -122,6 +123,7 @@ pub fn export(
     match dialect {
         Dialect::PovRay => povray::write(&plain()?).map_err(NotWritten::Cannot),
         Dialect::Mitsuba => mitsuba::write(&plain()?).map_err(NotWritten::Cannot),
+        Dialect::Ron => ron::write(scene, assets),
         _ => Err(NotWritten::Cannot(crate::feature::features(scene))),
     }
 }

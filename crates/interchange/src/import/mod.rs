@@ -5,19 +5,19 @@
 
 mod cornell;
 mod files;
+mod mesh;
 mod nff;
+mod obj;
+mod ply;
 mod polygon;
 mod prove;
 mod report;
 mod sense;
-mod text;
-mod wish;
-mod mesh;
-mod obj;
-mod ply;
 mod stl;
 #[cfg(test)]
 mod tests;
+mod text;
+mod wish;
 
 use scene::{Assets, SceneFile, Unchecked};
 

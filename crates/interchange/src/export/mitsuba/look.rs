@@ -13,9 +13,7 @@ use crate::export::text::{scaled, times};
 pub(super) fn look(plain: &Plain, object: &Placed) -> String {
     match &object.look {
         Look::Constant(rgb) => DARK.to_owned() + &glow(*rgb),
-        Look::Normal(by) => {
-            DARK.to_owned() + &emitter("goldray_normals", &float("scale", *by))
-        }
+        Look::Normal(by) => DARK.to_owned() + &emitter("goldray_normals", &float("scale", *by)),
         Look::Depth { near, far } => DARK.to_owned() + &depth(plain, *near, *far),
         Look::Lit { diffuse, highlight } => {
             let surface = surface(plain, object, *diffuse, *highlight);

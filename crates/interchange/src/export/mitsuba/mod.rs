@@ -66,11 +66,8 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     }
     plain.asks_only(&can)?;
     let mut files = BTreeMap::new();
-    let mut text = format!(
-        "<scene version=\"3.0.0\">\n{}{}",
-        integrator(plain),
-        camera::sensor(plain)
-    );
+    let mut text =
+        format!("<scene version=\"3.0.0\">\n{}{}", integrator(plain), camera::sensor(plain));
     for lamp in &plain.lamps {
         text += &emitter(plain, lamp);
     }
@@ -104,7 +101,8 @@ fn integrator(plain: &Plain) -> String {
 fn emitter(plain: &Plain, lamp: &Lamp) -> String {
     // Mitsuba's surfaces have the factor 1/pi.
     let all = if plain.shading == Shading::Radiometric { 1.0 } else { PI };
-    let line = |kind: &str, inside: String| format!("<emitter type=\"{kind}\">{inside}</emitter>\n");
+    let line =
+        |kind: &str, inside: String| format!("<emitter type=\"{kind}\">{inside}</emitter>\n");
     match *lamp {
         Lamp::Point { position, intensity, falloff: Falloff::InverseSquare } => line(
             "point",

@@ -21,9 +21,7 @@ pub(super) fn shape(solid: &Solid, look: &str, files: &mut BTreeMap<String, Vec<
         Solid::Sphere { center, radius } => {
             shape("sphere", &(at("center", *center) + &float("radius", *radius)))
         }
-        Solid::Disk { center, normal, radius } => {
-            shape("disk", &flat(*center, *normal, *radius))
-        }
+        Solid::Disk { center, normal, radius } => shape("disk", &flat(*center, *normal, *radius)),
         Solid::Plane { point, normal, reach } => {
             // A plane that nothing needs is there all the same.
             let half = if *reach > 0.0 { MARGIN * reach } else { 1.0 };

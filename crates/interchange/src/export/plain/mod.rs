@@ -22,8 +22,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use scene::format::{Falloff, Light, Sampler, Shading, Show, Triple};
 use scene::{Assets, MeshData, SceneFile};
-use tracer::accel::Build;
 use tracer::Camera;
+use tracer::accel::Build;
 
 use super::text::{scaled, vector};
 use crate::Feature;

@@ -143,7 +143,8 @@ fn composed(steps: &[Transform]) -> DAffine3 {
         Transform::Scale(x, y, z) => tracer::Transform::scale(DVec3::new(x, y, z)),
     };
     // A step that makes no sense is a problem that was told before.
-    steps.iter().filter_map(|step| made(step).ok()).fold(DAffine3::IDENTITY, |all, step| {
-        step.affine() * all
-    })
+    steps
+        .iter()
+        .filter_map(|step| made(step).ok())
+        .fold(DAffine3::IDENTITY, |all, step| step.affine() * all)
 }

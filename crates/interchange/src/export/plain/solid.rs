@@ -12,13 +12,39 @@ use crate::export::text::vector;
 /// shape is, a mirror included: they point outwards still.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::export) enum Solid {
-    Sphere { center: DVec3, radius: f64 },
+    Sphere {
+        center: DVec3,
+        radius: f64,
+    },
     /// Seen as far as `reach` from the point.
-    Plane { point: DVec3, normal: DVec3, reach: f64 },
-    Disk { center: DVec3, normal: DVec3, radius: f64 },
-    Torus { center: DVec3, axis: DVec3, major_radius: f64, minor_radius: f64 },
-    Cylinder { a: DVec3, b: DVec3, radius: f64, open: bool },
-    Cone { apex: DVec3, base: DVec3, radius: f64, open: bool },
+    Plane {
+        point: DVec3,
+        normal: DVec3,
+        reach: f64,
+    },
+    Disk {
+        center: DVec3,
+        normal: DVec3,
+        radius: f64,
+    },
+    Torus {
+        center: DVec3,
+        axis: DVec3,
+        major_radius: f64,
+        minor_radius: f64,
+    },
+    Cylinder {
+        a: DVec3,
+        b: DVec3,
+        radius: f64,
+        open: bool,
+    },
+    Cone {
+        apex: DVec3,
+        base: DVec3,
+        radius: f64,
+        open: bool,
+    },
     Triangles(Triangles),
 }
 
@@ -59,12 +85,9 @@ impl Placed {
             Object::Cylinder { a, b, radius, open, .. } => {
                 Solid::Cylinder { a: point(a), b: point(b), radius: radius * scale, open }
             }
-            Object::Cone { apex, base, radius, open, .. } => Solid::Cone {
-                apex: point(apex),
-                base: point(base),
-                radius: radius * scale,
-                open,
-            },
+            Object::Cone { apex, base, radius, open, .. } => {
+                Solid::Cone { apex: point(apex), base: point(base), radius: radius * scale, open }
+            }
             Object::Triangle { a, b, c, .. } => {
                 let corners = [a, b, c].map(vector).to_vec();
                 Solid::Triangles(moved(m, corners, Vec::new(), vec![[0, 1, 2]]))
@@ -94,7 +117,12 @@ fn turned(m: DMat3, n: DVec3) -> DVec3 {
     turned.normalize_or_zero()
 }
 
-fn moved(m: DAffine3, corners: Vec<DVec3>, normals: Vec<DVec3>, mut faces: Vec<[u32; 3]>) -> Triangles {
+fn moved(
+    m: DAffine3,
+    corners: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    mut faces: Vec<[u32; 3]>,
+) -> Triangles {
     let corners = corners.into_iter().map(|p| m.transform_point3(p)).collect();
     let normals = normals.into_iter().map(|n| turned(m.matrix3, n)).collect();
     if m.matrix3.determinant() < 0.0 {
@@ -108,14 +136,8 @@ fn moved(m: DAffine3, corners: Vec<DVec3>, normals: Vec<DVec3>, mut faces: Vec<[
 /// The corners by the bits of their numbers, x first; the sides counter-clockwise
 /// from outside.
 fn of_box(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-    const SIDES: [[u32; 4]; 6] = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
+    const SIDES: [[u32; 4]; 6] =
+        [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
     let corner = |k: u32| {
         let pick = |axis: usize| if k >> axis & 1 == 1 { max[axis] } else { min[axis] };
         DVec3::new(pick(0), pick(1), pick(2))
@@ -163,8 +185,11 @@ impl Triangles {
     pub(in crate::export) fn ply(&self) -> Vec<u8> {
         use crate::export::text::spaced;
         let has_normals = !self.normals.is_empty();
-        let normals =
-            if has_normals { "property double nx\nproperty double ny\nproperty double nz\n" } else { "" };
+        let normals = if has_normals {
+            "property double nx\nproperty double ny\nproperty double nz\n"
+        } else {
+            ""
+        };
         let mut text = format!(
             "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
              property double z\n{normals}element face {}\n\
