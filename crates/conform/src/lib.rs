@@ -11,6 +11,16 @@
 //! A renderer that crashes, hangs or writes garbage is an [`Outcome`], never an
 //! `Err`. Files are opened by the store of the harness; nothing is printed.
 
+pub mod card;
+pub mod consensus;
+pub mod grade;
+mod objects;
+pub mod outcome;
+mod page;
+mod pictures;
 pub mod result;
+pub mod trial;
+mod xml;
 
+pub use objects::{Objects, Seen};
 pub use result::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};
