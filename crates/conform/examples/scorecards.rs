@@ -80,7 +80,7 @@ fn fixtures(suite: &Suite) -> Result<Fixtures, Box<dyn Error>> {
 fn four(all: &Fixtures) -> Vec<Conformed> {
     let named = |trial: Trial, name: &str, version: &str| {
         let mut conformed = Trial { version: version.to_owned(), ..trial }.run(all);
-        conformed.run.renderer.name = name.to_owned();
+        name.clone_into(&mut conformed.run.renderer.name);
         conformed
     };
     let limited = Trial {

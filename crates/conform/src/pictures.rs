@@ -57,12 +57,12 @@ pub(crate) fn difference(evidence: &Evidence, tolerance: f64) -> Option<EncodedI
 }
 
 /// The worst channel's distance, relative to the reference's brightest channel.
-fn error(reference: Rgb, actual: Rgb) -> f64 {
+pub(crate) fn error(reference: Rgb, actual: Rgb) -> f64 {
     let brightest = reference.channels().into_iter().fold(DARKEST, f64::max);
     let pairs = reference.channels().into_iter().zip(actual.channels());
     let distances = pairs.map(|(a, b)| (a - b).abs() / brightest);
     // A NaN is the worst that there is.
-    distances.fold(0.0, |most, one| if one <= most { most } else { one })
+    distances.fold(0.0, |most, one| if one.is_nan() || one > most { one } else { most })
 }
 
 /// Which color is for an error of so many tolerances.

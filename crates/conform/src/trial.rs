@@ -12,6 +12,7 @@ use interchange::Feature;
 use interchange::feature::features;
 use tracer::{LinearImage, Rgb, objects_seen};
 
+use crate::pictures::error;
 use crate::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};
 
 /// How far an interior pixel may be off in a trial, relative.
@@ -127,14 +128,13 @@ impl Damage {
             })
         };
         match self {
-            Self::None => picture.clone(),
             Self::Shift(by) => LinearImage::from_fn(size, |x, y| {
                 picture.get(x.saturating_sub(by), y).unwrap_or_default()
             }),
             Self::Gamma => map(&|value| libm::pow(value.max(0.0), 1.0 / 2.2)),
             Self::Gain(by) => map(&|value| value * (1.0 + by)),
             Self::Feature(feature) if has.contains(&feature) => map(&|value| value / 2.0),
-            Self::Feature(_) => picture.clone(),
+            Self::None | Self::Feature(_) => picture.clone(),
             Self::Recolor(number) => {
                 let seen = objects_seen(&fixture.scene);
                 let mut pixels = picture.pixels().to_vec();
@@ -169,13 +169,6 @@ pub fn judged(reference: LinearImage, actual: LinearImage, edges: Vec<bool>) -> 
     let pairs = reference.pixels().iter().zip(actual.pixels());
     let off = pairs.map(|(a, b)| !(error(*a, *b) <= TOLERANCE)).collect();
     Evidence { reference, actual, step: 0.0, edges, off }
-}
-
-/// The worst channel's distance, relative to the reference's brightest.
-fn error(reference: Rgb, actual: Rgb) -> f64 {
-    let brightest = reference.channels().into_iter().fold(1e-3, f64::max);
-    let pairs = reference.channels().into_iter().zip(actual.channels());
-    pairs.map(|(a, b)| (a - b).abs() / brightest).fold(0.0, f64::max)
 }
 
 fn numbers(evidence: &Evidence) -> Numbers {

@@ -70,7 +70,7 @@ fn fixture(card: &Card, name: &str, entry: &Entry) -> Value {
         "name": name,
         "features": entry.features.iter().map(|feature| feature.name()).collect::<Vec<_>>(),
         "results": by_id(card, &entry.results, |one| one.as_ref().map(answered)),
-        "consensus": entry.told.as_ref().map(told),
+        "consensus": entry.told.as_ref().map(|one| told(card, one)),
     })
 }
 
@@ -115,8 +115,8 @@ fn seen(seen: &Seen) -> Value {
 }
 
 /// Who stands where: `voters` are ids; `against` those against the majority, `sides`
-/// two halves.
-pub(super) fn opinion(voters: &[String], opinion: Opinion) -> Map<String, Value> {
+/// two halves. In `words` they have their `names`.
+fn opinion(voters: &[String], names: &[&str], opinion: Opinion) -> Map<String, Value> {
     let ids = |set: Voters| {
         set.numbers().filter_map(|i| voters.get(i)).map(String::as_str).collect::<Vec<_>>()
     };
@@ -125,7 +125,7 @@ pub(super) fn opinion(voters: &[String], opinion: Opinion) -> Map<String, Value>
         _ => Value::Null,
     };
     let against = ids(opinion.dissenters());
-    let words = opinion.words(voters);
+    let words = opinion.words(names);
     let fields = [
         ("opinion", json!(opinion.id())),
         ("words", json!(words)),
@@ -135,15 +135,16 @@ pub(super) fn opinion(voters: &[String], opinion: Opinion) -> Map<String, Value>
     fields.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
 }
 
-fn told(told: &Told) -> Value {
+fn told(card: &Card, told: &Told) -> Value {
+    let names = card.names(told);
     let counted = |(one, pixels): (&Opinion, &Pixels)| {
-        let mut fields = opinion(&told.voters, *one);
+        let mut fields = opinion(&told.voters, &names, *one);
         fields.insert("interior".to_owned(), json!(pixels.interior));
         fields.insert("edge".to_owned(), json!(pixels.edge));
         fields
     };
     let region = |region: &Region| {
-        let mut fields = opinion(&told.voters, region.opinion);
+        let mut fields = opinion(&told.voters, &names, region.opinion);
         fields.insert("pixels".to_owned(), json!(region.pixels));
         fields.insert("from".to_owned(), json!(region.from));
         fields.insert("to".to_owned(), json!(region.to));

@@ -7,7 +7,7 @@ use harness::suite::Suite;
 
 use super::{Answered, Card, Cell, Column, Row, Standing, Suspicion, Tally};
 use crate::consensus::{FEWEST_VOTERS, GOLDRAY, Opinion, Share, Told};
-use crate::outcome;
+use crate::{Outcome, outcome};
 
 /// So many failures of a renderer have a row.
 const MOST_ROWS: usize = 200;
@@ -32,7 +32,9 @@ pub fn markdown(card: &Card) -> String {
 
 /// An error as people read it.
 pub(crate) fn error(error: f64) -> String {
-    if error == 0.0 { "0".to_owned() } else { format!("{error:.1e}") }
+    // Two digits.
+    let short: f64 = format!("{error:.1e}").parse().unwrap_or(error);
+    if short == 0.0 || short.abs() >= 1e-2 { short.to_string() } else { format!("{short:e}") }
 }
 
 fn renderers(card: &Card) -> String {
@@ -55,6 +57,16 @@ fn renderers(card: &Card) -> String {
             worst(tally),
             edges(tally),
         );
+    }
+    for Column { info, tally, .. } in &card.renderers {
+        if tally.passed() == 0 && tally.count(Outcome::Fail) > 0 {
+            let _ = writeln!(
+                table,
+                "\nNo picture of {} is right: what is wrong may be common to all, such as the transfer \
+                 curve, the order of rows or where samples are taken.",
+                prose(&info.name)
+            );
+        }
     }
     table
 }
@@ -197,7 +209,8 @@ fn consensus(card: &Card) -> String {
         let Share { heard, alone, with_others, alone_in } = share;
         let _ = writeln!(
             text,
-            "| {id} | {heard} | {} | {} | {} | {} |",
+            "| {} | {heard} | {} | {} | {} | {} |",
+            prose(card.name(id)),
             alone.interior,
             alone_in.len(),
             alone.edge,
@@ -206,17 +219,17 @@ fn consensus(card: &Card) -> String {
     }
     text += "\n";
     for (name, entry) in &card.fixtures {
-        for line in entry.told.iter().flat_map(|told| sentences(name, told)) {
+        for line in entry.told.iter().flat_map(|told| sentences(name, told, &card.names(told))) {
             let _ = writeln!(text, "- {}", prose(&line));
         }
     }
     text
 }
 
-/// What is said of a fixture, a sentence for each opinion of its interior pixels: "a
+/// What is said of a fixture by these voters' names, a sentence for each opinion of its interior pixels: "a
 /// stands alone in 412 px of shadow/x, in 3 regions, the largest (40 px) at (10, 20)..(40, 60), on
 /// the Torus of fixtures/shadow/x.ron:10:9".
-pub fn sentences(name: &str, told: &Told) -> Vec<String> {
+pub fn sentences(name: &str, told: &Told, voters: &[&str]) -> Vec<String> {
     let mut opinions: Vec<_> = told
         .opinions
         .iter()
@@ -225,8 +238,7 @@ pub fn sentences(name: &str, told: &Told) -> Vec<String> {
     opinions.sort_by_key(|(_, pixels)| std::cmp::Reverse(pixels.interior));
     let sentence = |(opinion, pixels): (&Opinion, &crate::consensus::Pixels)| {
         let regions: Vec<_> = told.regions.iter().filter(|r| r.opinion == *opinion).collect();
-        let mut line =
-            format!("{} in {} px of {name}", opinion.words(&told.voters), pixels.interior);
+        let mut line = format!("{} in {} px of {name}", opinion.words(voters), pixels.interior);
         let Some(largest) = regions.first() else { return line };
         let ((left, top), (right, bottom)) = (largest.from, largest.to);
         // Regions are told largest first, so all of a small number are there.

@@ -168,6 +168,17 @@ impl Card {
         self.renderers.is_empty() || self.fixtures.is_empty()
     }
 
+    /// The names of those who were heard about a scene, in order, goldray first.
+    pub fn names<'a>(&'a self, told: &'a Told) -> Vec<&'a str> {
+        told.voters.iter().map(|id| self.name(id)).collect()
+    }
+
+    /// The name of a voter; goldray itself may not be among the renderers.
+    fn name<'a>(&'a self, id: &'a str) -> &'a str {
+        let column = self.renderers.iter().find(|column| column.info.id == id);
+        column.map_or(id, |column| column.info.name.as_str())
+    }
+
     /// The ids of the renderers, in order.
     pub fn ids(&self) -> impl Iterator<Item = &str> {
         self.renderers.iter().map(|column| column.info.id.as_str())

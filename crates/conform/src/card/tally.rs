@@ -51,7 +51,8 @@ impl Tally {
         self.edge_off += numbers.edge_off;
         let error = numbers.worst_interior;
         // A NaN is worse than any number, the first of equals stays.
-        let is_worse = |worst: &Worst| error > worst.error || error.is_nan() > worst.error.is_nan();
+        let is_worse =
+            |worst: &Worst| error > worst.error || error.is_nan() && !worst.error.is_nan();
         if self.worst.as_ref().is_none_or(is_worse) {
             let at = numbers.worst_at;
             self.worst = Some(Worst { error, fixture: name.to_owned(), at });

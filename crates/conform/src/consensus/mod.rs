@@ -116,7 +116,7 @@ pub fn of_fixture(
         // Another reference means that the runs were of two states of the suite.
         let evidence = one.evidence.get(name).filter(|evidence| {
             is_whole(evidence)
-                && evidence.reference == reference.reference
+                && is_same(&evidence.reference, &reference.reference)
                 && voices.len() < MOST_VOTERS
         });
         match evidence {
@@ -140,6 +140,12 @@ fn is_whole(evidence: &Evidence) -> bool {
     let pixels = evidence.reference.pixels().len();
     evidence.actual.size() == evidence.reference.size()
         && [evidence.edges.len(), evidence.off.len()] == [pixels; 2]
+}
+
+/// Whether two pictures have the same bits.
+fn is_same(a: &LinearImage, b: &LinearImage) -> bool {
+    let bits = |pixel: &Rgb| pixel.channels().map(f64::to_bits);
+    a.size() == b.size() && a.pixels().iter().map(bits).eq(b.pixels().iter().map(bits))
 }
 
 fn blank(size: Size) -> Told {

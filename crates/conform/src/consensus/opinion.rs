@@ -121,7 +121,7 @@ impl Opinion {
             Self::Against(odd) => format!("{} are against the majority", list(odd)),
             Self::Halves(a, b) => {
                 let counts = Counted(a.count());
-                format!("{counts} against {counts}: {} and {}", list(a), list(b))
+                format!("{counts} against {counts}: {} against {}", list(a), list(b))
             }
             Self::AllDiffer => "all differ".to_owned(),
             Self::Unclear => "there is no majority".to_owned(),
@@ -211,8 +211,11 @@ mod tests {
         check(&[9.0, 5.0, 5.0, 5.0], "a stands alone");
         check(&[0.0, 5.0, 0.0, 9.0, 0.0], "b and d are against the majority");
         check(&[0.0, 5.0, 10.0], "all differ");
-        check(&[0.0, 5.0, 5.0, 0.0], "two against two: a and d, b and c");
-        check(&[5.0, 0.0, 0.0, 5.0, 5.0, 0.0], "three against three: a, d and e, b, c and f");
+        check(&[0.0, 5.0, 5.0, 0.0], "two against two: a and d against b and c");
+        check(
+            &[5.0, 0.0, 0.0, 5.0, 5.0, 0.0],
+            "three against three: a, d and e against b, c and f",
+        );
     }
 
     #[test]

@@ -21,7 +21,7 @@ pub const COLORS: [[u8; 3]; MOST_VOTERS] = [
 ];
 
 /// The color of pixels where several are against the majority.
-pub const SEVERAL: [u8; 3] = [255, 255, 255];
+pub const SEVERAL: [u8; 3] = [205, 205, 205];
 
 /// The color of pixels without a majority.
 pub const UNDECIDED: [u8; 3] = [255, 60, 160];

@@ -70,7 +70,7 @@ fn the_odd_one_is_told_by_region() {
     check(
         "11",
         &["22", "11", "22"],
-        &["2 px (0, 0)..(1, 0): two against two: goldray and b, a and c"],
+        &["2 px (0, 0)..(1, 0): two against two: goldray and b against a and c"],
     );
     check("1", &["2", "2", "1", "1"], &["1 px (0, 0)..(0, 0): a and b are against the majority"]);
 }

@@ -11,7 +11,7 @@ function consensusSection() {
       element("p", { class: "soft" }, "No scene has pictures of three renderers or more, goldray's own included: nobody can be the odd one out."),
     );
   }
-  const said = `Of ${plural(scenes, "scene", "scenes")} with pictures of three renderers or more, goldray included, all agree in every interior pixel of ${count(agreed)}.`;
+  const said = `Of ${plural(scenes, "scene", "scenes")} with pictures of three renderers or more, goldray included, all agree in every interior pixel of ${agreed === 0 ? "none" : count(agreed)}.`;
   const none = undecided > 0 ? ` In ${plural(undecided, "interior pixel", "interior pixels")} there is no majority.` : "";
   return element(
     "section",
@@ -42,7 +42,7 @@ function voterRow({ id, heard, alone, with_others, alone_in }) {
     {},
     element("th", { scope: "row" }, nameOf(id)),
     [heard, alone.interior, alone.edge, with_others.interior].map((value) => element("td", { class: "is-number" }, count(value))),
-    element("td", {}, most, more),
+    element("td", { class: "is-wide" }, most, more),
   );
 }
 

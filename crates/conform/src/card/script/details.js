@@ -34,7 +34,7 @@ function foldedResult(fixture, id, isOpen) {
   const body = element("div", { class: "body" });
   const result = fixture.results[id];
   const fill = () => {
-    if (body.childElementCount === 0) body.append(...resultParts(fixture, id), element("p", {}, "With every renderer: ", fixtureLink(fixture.name)));
+    if (body.childElementCount === 0) body.append(...resultParts(fixture, id), element("p", {}, renderers.length > 1 ? "With every renderer: " : "More: ", fixtureLink(fixture.name)));
   };
   if (isOpen) fill();
   const numbers = result.numbers && hasFailed(result) ? ` ${plural(result.numbers.interior_off, "pixel", "pixels")} off` : "";

@@ -1,7 +1,7 @@
 // Pictures side by side: goldray's, the renderer's, where they differ, and the worst pixel marked in each.
 
 // A small picture is enlarged by whole numbers, to about this many pixels of the screen.
-const SEEN_WIDTH = 300;
+const SEEN_WIDTH = 330;
 
 function pngUrl(base64) {
   return `data:image/png;base64,${base64}`;

@@ -1,5 +1,9 @@
 // Each renderer in short: how many of its fixtures pass, what became of the rest, how far it is off.
 
+// Then no feature is told from the others.
+const NOTHING_PASSES =
+  "No picture is right: what is wrong may be common to all, such as the transfer curve, the order of rows or where samples are taken.";
+
 function summarySection() {
   return element(
     "section",
@@ -24,6 +28,7 @@ function summaryCard({ id, name, version, tolerance, tally }) {
     ),
     bar(tally),
     element("ul", { class: "counts" }, restCounts(tally)),
+    tally.outcomes.pass === 0 && tally.outcomes.fail > 0 ? element("p", { class: "hint" }, NOTHING_PASSES) : null,
     element(
       "dl",
       { class: "facts" },

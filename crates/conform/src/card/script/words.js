@@ -9,10 +9,15 @@ function outcomeBadge(id) {
   return element("span", { class: "badge", "data-outcome": id }, outcomeWords(id));
 }
 
-// An error as 1.2e-3; null is one that is no finite number.
+// Smaller errors are written with an exponent.
+const LEAST_PLAIN = 1e-2;
+
+// An error with two digits, as 0.12 or 1.2e−5; null is one that is no finite number.
 function errorWords(error) {
   if (error === null) return "not finite";
-  return error === 0 ? "0" : error.toExponential(1).replace("-", "−");
+  const short = Number(error.toPrecision(2));
+  if (short === 0 || Math.abs(short) >= LEAST_PLAIN) return count(short);
+  return short.toExponential().replace("-", "−");
 }
 
 function placeWords(at) {
@@ -53,7 +58,8 @@ function fixtureLink(name) {
 function suspectWords({ features, pairs }) {
   if (features.length > 0) {
     const which = features.length === 1 ? "the only feature" : "the features";
-    return `It may be ${features.join(" or ")}: ${which} of it that no passing fixture has.`;
+    const told = [features.slice(0, -1).join(", "), features.at(-1)].filter(Boolean).join(" or ");
+    return `It may be ${told}: ${which} of it that no passing fixture has.`;
   }
   if (pairs.length > 0) {
     const told = pairs.map(([one, other]) => `${one} with ${other}`).join(", or ");
