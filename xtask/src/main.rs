@@ -74,6 +74,8 @@ enum Verb {
     Lint(verb::lint::Args),
     /// Measure how far pictures are apart that should be the same
     Calibrate(verb::calibrate::Args),
+    /// Give points for what a renderer gets right, by a rubric
+    Grade(verb::grade::Args),
     /// Hold the tracer's answers against the exact oracle
     #[command(disable_help_flag = true)]
     Stress(verb::elsewhere::Passed),
@@ -103,6 +105,7 @@ fn main() -> ExitCode {
         Verb::Sensitivity(args) => verb::sensitivity::run(&here, &args),
         Verb::Lint(args) => verb::lint::run(&here, &args),
         Verb::Calibrate(args) => verb::calibrate::run(&here, &args),
+        Verb::Grade(args) => verb::grade::run(&here, &args),
         Verb::Stress(args) => verb::elsewhere::stress(&here, &["stress"], &args),
         Verb::Completions(args) => Ok(verb::completions::run(Cli::command(), &args)),
     };

@@ -22,5 +22,5 @@ pub mod result;
 pub mod trial;
 mod xml;
 
-pub use objects::{Objects, Seen};
+pub use objects::{Objects, Seen, objects_of};
 pub use result::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};

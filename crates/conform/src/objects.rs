@@ -1,6 +1,7 @@
 //! `Objects`: what each pixel of a fixture shows, by the names of its file.
 
-use harness::fixture::Fixture;
+use harness::fixture::{Build, Fixture};
+use harness::suite::Suite;
 use scene::Place;
 use tracer::objects_seen;
 
@@ -11,6 +12,13 @@ pub struct Objects {
     seen: Vec<Option<u32>>,
     /// Where each object is written, by number.
     places: Vec<Place>,
+}
+
+/// What the pixels of a fixture of a suite show; `None` where it is none.
+pub fn objects_of(suite: &Suite, name: &str) -> Option<Objects> {
+    let label = Suite::fixture_label(name);
+    let fixture = Fixture::open(&label, &suite.fixture_path(name), Build::default());
+    fixture.ok().as_ref().map(Objects::of)
 }
 
 impl Objects {
@@ -68,7 +76,6 @@ impl Seen {
 mod tests {
     use super::*;
     use scene::NoAssets;
-    use tracer::accel::Build;
 
     const TWO: &str = "(version: 1, image: (4, 1), show: Silhouette,
         camera: Parallel(view_point: (0, 0, 5), view_width: 4, view_height: 1),

@@ -10,12 +10,14 @@
 
 mod json;
 mod markdown;
+mod open;
 mod page;
 mod plan;
 mod points;
 mod rubric;
 #[cfg(test)]
 mod tests;
+mod text;
 mod write;
 
 pub use json::json;
@@ -24,6 +26,7 @@ pub use page::html;
 pub use plan::{Asked, MAX_BYTES, Plan};
 pub use points::Points;
 pub use rubric::{Ending, Often, Part, Penalty, Per, Rubric, VERSION};
+pub use text::{grade_lines, plan_lines};
 pub use write::write;
 
 use crate::{Conformed, FixtureResult, Outcome, RendererInfo};
