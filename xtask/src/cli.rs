@@ -57,6 +57,8 @@ enum Verb {
     Compare(verb::compare::Args),
     /// Render the suite by another renderer, and judge its pictures
     Conform(verb::conform::Args),
+    /// Give points for what a renderer gets right, by a rubric
+    Grade(verb::grade::Args),
     /// Draw all goldens on one sheet
     ContactSheet(verb::contact_sheet::Args),
     /// Make the meshes that the fixtures use
@@ -129,6 +131,7 @@ fn run(command: Command) -> ExitCode {
         Verb::Render(args) => verb::render::run(&here, &args),
         Verb::Compare(args) => verb::compare::run(&args),
         Verb::Conform(args) => verb::conform::run_verb(&here, &args),
+        Verb::Grade(args) => verb::grade::run(&here, &args),
         Verb::ContactSheet(args) => verb::contact_sheet::run(&here, &args),
         Verb::Meshes => verb::meshes::run(&here),
         Verb::Bench(bench) => verb::bench::run(&here, &bench),

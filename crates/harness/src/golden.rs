@@ -118,7 +118,7 @@ pub fn to_png(picture: &EncodedImage, provenance: Option<&Provenance>) -> Result
 ///
 /// # Errors
 /// What the encoder says.
-pub(crate) fn page_png(picture: &EncodedImage) -> Result<Vec<u8>, String> {
+pub fn page_png(picture: &EncodedImage) -> Result<Vec<u8>, String> {
     let layout = Layout::gray(picture).unwrap_or_else(|| Layout::rgb(picture));
     layout.to_png(picture.size(), Filter::Adaptive, None)
 }
