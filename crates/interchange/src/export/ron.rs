@@ -20,7 +20,7 @@ pub(super) fn write(
     let mut files = BTreeMap::new();
     named(&scene.objects, assets, &mut files)?;
     files.insert(MAIN.to_owned(), text.into_bytes());
-    Ok(Exported { main: MAIN.to_owned(), files })
+    Ok(Exported { main: MAIN.to_owned(), files, grid: 1 })
 }
 
 fn named(
