@@ -3,6 +3,7 @@
 //! To add a format: write its file with a function that makes an [`Imported`] of
 //! a [`Source`], and add its line to `READERS`.
 
+mod gltf;
 mod mesh;
 mod obj;
 mod ply;
@@ -96,4 +97,10 @@ pub fn import(
 type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unreadable>>;
 
 /// Formats by the endings of their files' names, in lower case.
-const READERS: &[(&str, Reader)] = &[("obj", obj::read), ("ply", ply::read), ("stl", stl::read)];
+const READERS: &[(&str, Reader)] = &[
+    ("glb", gltf::read),
+    ("gltf", gltf::read),
+    ("obj", obj::read),
+    ("ply", ply::read),
+    ("stl", stl::read),
+];

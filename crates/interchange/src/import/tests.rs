@@ -1,5 +1,8 @@
 //! What the tests of mesh readers have in common: a body, pictures, messages.
 
+mod hostile;
+mod round_trip;
+
 use tracer::LinearImage;
 use tracer::accel::Build;
 

@@ -8,7 +8,7 @@ mod header;
 mod mesh;
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use scene::Assets;
 
