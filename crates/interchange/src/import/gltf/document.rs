@@ -4,10 +4,11 @@
 //! "JSON Schema Reference"; the extensions `KHR_lights_punctual` and
 //! `KHR_materials_unlit`. Names are theirs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
-use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::de::{IgnoredAny, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 macro_rules! objects {
     ($($(#[$doc:meta])* $name:ident { $($(#[$attribute:meta])* $field:ident: $type:ty,)* })*) => {
@@ -151,7 +152,7 @@ objects! {
         #[serde(rename = "KHR_materials_unlit")]
         unlit: Option<IgnoredAny>,
         #[serde(flatten)]
-        others: BTreeMap<String, IgnoredAny>,
+        others: Names,
     }
     /// The lights of a document, or the light of a node.
     Lights {
@@ -165,5 +166,29 @@ objects! {
         color: Option<[f64; 3]>,
         intensity: Option<f64>,
         range: Option<f64>,
+    }
+}
+
+/// The names of a map, whatever they stand for.
+#[derive(Debug, Default)]
+pub(super) struct Names(pub(super) BTreeSet<String>);
+
+impl<'de> Deserialize<'de> for Names {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OfMap;
+        impl<'de> Visitor<'de> for OfMap {
+            type Value = Names;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a map by names")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Names, A::Error> {
+                let mut names = BTreeSet::new();
+                while let Some((name, IgnoredAny)) = map.next_entry()? {
+                    names.insert(name);
+                }
+                Ok(Names(names))
+            }
+        }
+        deserializer.deserialize_map(OfMap)
     }
 }

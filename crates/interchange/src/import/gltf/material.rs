@@ -45,7 +45,7 @@ pub(super) fn of(
     if written.alpha_mode.as_deref().is_some_and(|mode| mode != "OPAQUE") {
         lose("alphaMode", "it is opaque");
     }
-    for name in written.extensions.others.keys() {
+    for name in &written.extensions.others.0 {
         lose(name, "this extension is not read");
     }
     if is_unlit {

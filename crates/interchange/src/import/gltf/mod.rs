@@ -77,7 +77,7 @@ fn build(
                 if !primitive.targets.is_empty() {
                     stage.lost.add(None, &place, "morph targets are left out");
                 }
-                for name in primitive.extensions.others.keys() {
+                for name in &primitive.extensions.others.0 {
                     let what = "this extension is not read";
                     stage.lost.add(None, format!("{place}: {name}"), what);
                 }
@@ -90,7 +90,7 @@ fn build(
             let what = "the skin is left out: the mesh stays as it is in its node";
             stage.lost.add(None, format!("nodes[{number}]"), what);
         }
-        for name in node.extensions.others.keys() {
+        for name in &node.extensions.others.0 {
             let what = "this extension is not read";
             stage.lost.add(None, format!("nodes[{number}]: {name}"), what);
         }
@@ -131,7 +131,7 @@ fn dress(document: &Document, parts: Parts, stage: &mut Stage) -> Result<(), Unr
     let materials = &document.materials;
     let mut names: BTreeMap<Option<usize>, String> = BTreeMap::new();
     let mut is_culled = false;
-    for (part, number) in parts.parts {
+    for (part, number) in parts.all {
         if let Some(name) = names.get(&number) {
             stage.parts.push((part, Some(name.clone())));
             continue;

@@ -19,7 +19,7 @@ use crate::import::mesh::tally::Tally;
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     numbers: BTreeMap<(Option<usize>, bool, bool), usize>,
-    pub(super) parts: Vec<(Part, Option<usize>)>,
+    pub(super) all: Vec<(Part, Option<usize>)>,
     elements: usize,
 }
 
@@ -38,8 +38,11 @@ impl Parts {
     ) -> Result<(), String> {
         let mode = primitive.mode.unwrap_or(4);
         let cut: fn(&[u32]) -> Vec<[u32; 3]> = match mode {
-            0 => return Ok(lost.add(None, place, "points are left out")),
-            1..=3 => return Ok(lost.add(None, place, "lines are left out")),
+            0..=3 => {
+                let what = if mode == 0 { "points are left out" } else { "lines are left out" };
+                lost.add(None, place, what);
+                return Ok(());
+            }
             4 => triangles,
             5 => strip,
             6 => fan,
@@ -55,7 +58,8 @@ impl Parts {
             lost.add(None, format!("{place}: {name}"), what);
         }
         let Some(positions) = attribute("POSITION") else {
-            return Ok(lost.add(None, place, "it has no POSITION and is left out"));
+            lost.add(None, place, "it has no POSITION and is left out");
+            return Ok(());
         };
         let positions = tuples::<3>(document, buffers, positions)?;
         let count = positions.len();
@@ -82,7 +86,9 @@ impl Parts {
         }
         let linear = world.matrix3;
         if linear.determinant() < 0.0 {
-            faces.iter_mut().for_each(|face| face.swap(1, 2));
+            for face in &mut faces {
+                face.swap(1, 2);
+            }
         }
         let mut normals = Vec::new();
         if let Some(index) = attribute("NORMAL") {
@@ -117,10 +123,10 @@ impl Parts {
     fn put(&mut self, material: Option<usize>, more: Part) {
         let (has_normals, has_uvs) = (!more.normals.is_empty(), !more.uvs.is_empty());
         let number = *self.numbers.entry((material, has_normals, has_uvs)).or_insert_with(|| {
-            self.parts.push((Part::default(), material));
-            self.parts.len() - 1
+            self.all.push((Part::default(), material));
+            self.all.len() - 1
         });
-        let part = &mut self.parts[number].0;
+        let part = &mut self.all[number].0;
         // All together are at most `MOST_ELEMENTS`.
         let before = part.vertices.len() as u32;
         let faces = more.faces.iter().map(|face| face.map(|corner| corner + before));

@@ -67,10 +67,10 @@ pub(super) fn light(
     place: &str,
     lost: &mut Tally,
 ) -> Result<Option<Light>, String> {
-    let bright = light.intensity.unwrap_or(1.0);
-    let intensity = light.color.unwrap_or([1.0; 3]).map(|x| x * bright);
     /// The tracer's own limit.
     const BRIGHTEST: f64 = 1e60;
+    let bright = light.intensity.unwrap_or(1.0);
+    let intensity = light.color.unwrap_or([1.0; 3]).map(|x| x * bright);
     if !intensity.iter().all(|x| (0.0..=BRIGHTEST).contains(x)) {
         return Err(format!("expected a color and an intensity from 0, found {intensity:?}"));
     }

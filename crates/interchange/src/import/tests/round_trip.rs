@@ -74,7 +74,7 @@ fn other_files_are_refused() {
 fn everything_is_in_view() {
     for image in [(40, 10), (10, 40), (20, 20)] {
         let text = "v -3 0 0\nv 5 1 0\nv 0 9 2\nf 1 2 3\nf 3 2 1\n";
-        let wishes = Wishes { image: Some(image), camera: None };
+        let wishes = Wishes { image: Some(image), ..Wishes::default() };
         let source = Source { name: "a.obj", bytes: text.as_bytes() };
         let mut imported = import(source, &wishes, &scene::NoAssets).unwrap();
         imported.scene.show = Show::Silhouette;

@@ -20,7 +20,8 @@ fn texts_that_are_no_documents() {
     check("{\"nodes\": [{\"mesh\": -1}]}", "invalid value: integer `-1`");
     check("{\"nodes\": [{\"translation\": [1e999, 0, 0]}]}", "number out of range");
     check(&"[".repeat(1_000_000), "expected a glTF document");
-    check(&"{\"extras\":".repeat(1_000_000), "recursion limit exceeded");
+    // What is not looked at may be as deep as it likes.
+    check(&"{\"extras\":".repeat(1_000_000), "expected a glTF document, found: EOF");
 }
 
 #[test]
@@ -109,7 +110,7 @@ fn accessors_that_lie() {
     check(accessor(0, "count", 13.into()), "expected room for 13 elements of 12 bytes from byte 0");
     check(
         accessor(0, "count", u64::MAX.into()),
-        "accessors[0]: expected at most 33554432 elements",
+        "accessors[0]: expected at most 16777216 elements",
     );
     check(accessor(0, "byteOffset", 1.into()), "from byte 1 on in bufferViews[0], which has 144");
     check(accessor(0, "byteOffset", u64::MAX.into()), "from byte 18446744073709551615 on");
@@ -130,9 +131,9 @@ fn accessors_that_lie() {
     check(view("byteStride", u64::MAX.into()), "expected room for 12 elements");
     let nothing = |all: &mut Value| {
         all["accessors"][0].as_object_mut().unwrap().remove("bufferView");
-        all["accessors"][0]["count"] = 30_000_000.into();
+        all["accessors"][0]["count"] = 10_000_000.into();
     };
-    check(nothing, "expected a bufferView for 30000000 elements");
+    check(nothing, "expected a bufferView for 10000000 elements");
     let sparse = |count: u64, offset: u64| {
         move |all: &mut Value| {
             all["accessors"][0]["sparse"] = json!({
@@ -183,7 +184,7 @@ fn nodes_that_are_no_tree() {
 fn a_million_nodes_inside_each_other_are_no_trouble() {
     const COUNT: usize = 1_000_000;
     let mut nodes: String =
-        (1..COUNT).map(|child| format!("{{\"children\":[{child}]}},")).collect();
+        (1..COUNT).fold(String::new(), |all, child| all + &format!("{{\"children\":[{child}]}},"));
     nodes += "{\"mesh\":0}";
     let mut document = document();
     document["nodes"] = "NODES".into();
@@ -195,14 +196,14 @@ fn a_million_nodes_inside_each_other_are_no_trouble() {
 #[test]
 fn the_same_mesh_too_often_is_refused_in_time() {
     let many = |all: &mut Value| {
-        // Four hundred vertices in a node, and two hundred thousand nodes.
-        let accessor = json!({"componentType": 5126, "count": 400, "type": "VEC3"});
+        // Four thousand vertices in a node, and ten thousand nodes.
+        let accessor = json!({"componentType": 5126, "count": 4000, "type": "VEC3"});
         all["accessors"] = json!([accessor]);
         all["meshes"] = json!([{"primitives": [{"attributes": {"POSITION": 0}}]}]);
-        all["nodes"] = (0..200_000).map(|_| json!({"mesh": 0})).collect();
-        all["scenes"][0]["nodes"] = (0..200_000).collect();
+        all["nodes"] = (0..10_000).map(|_| json!({"mesh": 0})).collect();
+        all["scenes"][0]["nodes"] = (0..10_000).collect();
     };
-    check(many, "expected at most 33554432 vertices and triangles in all nodes together");
+    check(many, "expected at most 16777216 vertices and triangles in all nodes together");
 }
 
 #[test]

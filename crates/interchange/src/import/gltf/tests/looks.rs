@@ -61,7 +61,12 @@ fn a_wished_camera_and_size_come_first() {
     let camera = Camera::LookAt { eye: [5.0; 3], at: [0.0; 3], up: [0.0, 1.0, 0.0], fov_deg: 30.0 };
     let import = |camera, image| {
         let source = Source { name: "a.gltf", bytes: text.as_bytes() };
-        crate::import::import(source, &Wishes { camera, image }, &scene::NoAssets).unwrap()
+        crate::import::import(
+            source,
+            &Wishes { camera, image, ..Wishes::default() },
+            &scene::NoAssets,
+        )
+        .unwrap()
     };
     let wished = import(Some(camera), Some((30, 20)));
     assert_eq!((wished.scene.camera, wished.scene.image), (camera, (30, 20)));
@@ -118,13 +123,13 @@ fn lights_are_where_their_nodes_are() {
 
 /// The material that it becomes, and what is lost.
 #[track_caller]
-fn check(material: Value, expected: Material, expected_lost: &str) {
+fn check(material: &Value, expected: &Material, expected_lost: &str) {
     let imported = import(|all| {
         all["meshes"][0]["primitives"][0]["material"] = 0.into();
         all["materials"] = json!([material]);
     });
     let imported = imported.unwrap();
-    assert_eq!(imported.scene.materials.values().next(), Some(&expected), "{material}");
+    assert_eq!(imported.scene.materials.values().next(), Some(expected), "{material}");
     assert_eq!(lost(&imported), expected_lost, "{material}");
     picture(&imported);
 }
@@ -134,14 +139,14 @@ fn materials_are_their_base_colors() {
     let white = || Material::Lambert { diffuse: Some([1.0; 3]) };
     let plain = json!({"metallicFactor": 0, "baseColorFactor": [1, 0.5, 0, 0.25]});
     let orange = || Material::Lambert { diffuse: Some([1.0, 0.5, 0.0]) };
-    check(json!({"pbrMetallicRoughness": plain}), orange(), "");
+    check(&json!({"pbrMetallicRoughness": plain}), &orange(), "");
     let lost = "materials[0]: pbrMetallicRoughness: metallic 1 and roughness 1 are left out: it \
                 scatters its base color evenly\n";
-    check(json!({"name": "a"}), white(), lost);
+    check(&json!({"name": "a"}), &white(), lost);
     let unlit = json!({"KHR_materials_unlit": {}});
     check(
-        json!({"extensions": unlit, "pbrMetallicRoughness": plain, "emissiveFactor": [1, 1, 1]}),
-        Material::Constant { color: [1.0, 0.5, 0.0] },
+        &json!({"extensions": unlit, "pbrMetallicRoughness": plain, "emissiveFactor": [1, 1, 1]}),
+        &Material::Constant { color: [1.0, 0.5, 0.0] },
         "",
     );
     let all = json!({
@@ -159,8 +164,8 @@ fn materials_are_their_base_colors() {
         "alphaMode: it is opaque",
         "KHR_materials_ior: this extension is not read",
     ];
-    let lost: String = what.iter().map(|what| format!("materials[0]: {what}\n")).collect();
-    check(all, white(), &lost);
+    let lost = what.map(|what| format!("materials[0]: {what}\n")).concat();
+    check(&all, &white(), &lost);
 }
 
 #[test]
