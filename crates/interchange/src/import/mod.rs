@@ -5,6 +5,7 @@
 
 mod cornell;
 mod files;
+mod gltf;
 mod mesh;
 mod nff;
 mod obj;
@@ -114,6 +115,8 @@ type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unrea
 const READERS: &[(&str, Reader)] = &[
     ("xml", cornell::read),
     ("nff", nff::read),
+    ("glb", gltf::read),
+    ("gltf", gltf::read),
     ("obj", obj::read),
     ("ply", ply::read),
     ("stl", stl::read),

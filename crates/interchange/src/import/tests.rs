@@ -1,5 +1,8 @@
 //! What the tests of mesh readers have in common: a body, pictures, messages.
 
+mod hostile;
+mod round_trip;
+
 use tracer::LinearImage;
 use tracer::accel::Build;
 
@@ -39,6 +42,7 @@ pub(in crate::import) fn lost(imported: &Imported) -> String {
 pub(in crate::import) fn check_refused(result: &Result<Imported, Vec<Unreadable>>, expected: &str) {
     let errors = result.as_ref().expect_err(expected);
     let place = |e: &Unreadable| e.place.map_or(String::new(), |(l, c)| format!("{l}:{c}: "));
-    let all: String = errors.iter().map(|e| format!("{}{}\n", place(e), e.message)).collect();
+    let line = |e: &Unreadable| format!("{}{}\n", place(e), e.message);
+    let all: String = errors.iter().map(line).collect();
     assert!(all.contains(expected), "{expected:?} is not in {all:?}");
 }

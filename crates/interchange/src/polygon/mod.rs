@@ -174,7 +174,9 @@ fn flattened(corners: &[DVec3], ring: &[usize]) -> Option<Vec<Point>> {
         match orientation(&points) {
             Ordering::Greater => Some(points),
             Ordering::Less => {
-                points.iter_mut().for_each(|p| p.reverse());
+                for point in &mut points {
+                    point.reverse();
+                }
                 Some(points)
             }
             Ordering::Equal => None,

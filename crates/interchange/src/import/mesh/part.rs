@@ -8,7 +8,7 @@ use tracer::glam::DVec3;
 
 /// The most corners and triangles that an import may have together; a file of
 /// [`scene::MAX_ASSET_BYTES`] has no more room.
-pub(in crate::import) const MOST_ELEMENTS: usize = 1 << 25;
+pub(in crate::import) const MOST_ELEMENTS: usize = 1 << 24;
 
 /// The largest coordinate, the tracer's own limit.
 pub(in crate::import) const LARGEST: f64 = 1e60;

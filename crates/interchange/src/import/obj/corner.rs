@@ -49,8 +49,8 @@ fn index(text: &[u8], count: usize, what: &str) -> Result<u32, String> {
     })?;
     let from_zero = match number {
         1.. => number - 1,
-        // Less than 0 for 0 itself, which is none.
-        _ => (count as i64).checked_add(number).filter(|_| number < 0).unwrap_or(-1),
+        _ if number < 0 => count.cast_signed() as i64 + number.max(i64::MIN / 2),
+        _ => -1,
     };
     let found = u32::try_from(from_zero).ok().filter(|&i| (i as usize) < count);
     found.ok_or_else(|| {

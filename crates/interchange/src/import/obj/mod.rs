@@ -11,7 +11,7 @@ mod material;
 mod mtl;
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use std::collections::BTreeMap;
 

@@ -9,11 +9,11 @@ use crate::import::tests::{TETRAHEDRON, check_refused, lost, picture};
 pub(in crate::import) fn sample(has_normals: bool) -> String {
     let mut text = String::new();
     for (i, corners) in TETRAHEDRON.iter().enumerate() {
-        for [x, y, z] in corners {
-            text += &format!("v {x} {y} {z}\n");
-        }
+        text += &corners.map(|[x, y, z]| format!("v {x} {y} {z}\n")).concat();
         if has_normals {
-            text += &format!("vn {} -2 0.5\nf -3//{1} -2//{1} -1//{1}\n", i as f64 * 0.1, i + 1);
+            let n = i + 1;
+            let face = [3, 2, 1].map(|k| format!(" -{k}//{n}")).concat();
+            text = format!("{text}vn {} -2 0.5\nf{face}\n", i as f64 * 0.125);
         } else {
             text += "f -3 -2 -1\n";
         }
@@ -150,46 +150,46 @@ fn every_statement_is_looked_at() {
 }
 
 #[track_caller]
-fn check_material(statements: &str, expected: Material, expected_lost: &str) {
+fn check_material(statements: &str, expected: &Material, expected_lost: &str) {
     let library = format!("newmtl m\n{statements}\n");
     let text = format!("mtllib lib.mtl\n{THREE}usemtl m\nf 1 2 3\n");
     let imported = import_with(&text, Some(&library)).unwrap();
-    assert_eq!(imported.scene.materials["m"], expected, "{statements}");
+    assert_eq!(imported.scene.materials["m"], *expected, "{statements}");
     assert_eq!(lost(&imported), expected_lost, "{statements}");
 }
 
 #[test]
 fn materials_are_what_their_model_says() {
     let white = || Material::Lambert { diffuse: Some([1.0; 3]) };
-    check_material("", Material::Lambert { diffuse: None }, "");
-    check_material("Kd 1\nillum 1\nKs 1 1 1", white(), "");
-    check_material("Kd 1\nillum 0", Material::Constant { color: [1.0; 3] }, "");
-    check_material("Kd 1\nKs 0 0 0\nNs 0\nillum 2\nNi 1.5\nd 1\nTf 1 1 1\nKa 1", white(), "");
+    check_material("", &Material::Lambert { diffuse: None }, "");
+    check_material("Kd 1\nillum 1\nKs 1 1 1", &white(), "");
+    check_material("Kd 1\nillum 0", &Material::Constant { color: [1.0; 3] }, "");
+    check_material("Kd 1\nKs 0 0 0\nNs 0\nillum 2\nNi 1.5\nd 1\nTf 1 1 1\nKa 1", &white(), "");
     let everywhere = Material::BlinnPhong { diffuse: None, specular: [1.0; 3], exponent: 1e-60 };
-    check_material("Ks 1\nNs 0", everywhere, "");
+    check_material("Ks 1\nNs 0", &everywhere, "");
     let of = |what: &str| format!("1:8: {what}\n");
     let said = of(
         "Ks of material \"m\" (lib.mtl:3): a highlight without Ns, which says how sharp, is left out",
     );
-    check_material("Kd 1\nKs 1", white(), &said);
+    check_material("Kd 1\nKs 1", &white(), &said);
     let said = of("Ka of material \"m\" (lib.mtl:3): ambient light is reflected as by Kd");
-    check_material("Kd 1\nKa 1 0 1", white(), &said);
+    check_material("Kd 1\nKa 1 0 1", &white(), &said);
     let said = of(
         "illum 7 of material \"m\" (lib.mtl:3): it reflects nothing, by Fresnel's law or else, and is not transparent",
     );
-    check_material("Kd 1\nillum 7", white(), &said);
+    check_material("Kd 1\nillum 7", &white(), &said);
     let said = of("Tr of material \"m\" (lib.mtl:3): it is not transparent");
-    check_material("Kd 1\nTr 0.25", white(), &said);
+    check_material("Kd 1\nTr 0.25", &white(), &said);
     let said = of("map_Kd of material \"m\" (lib.mtl:3): the texture is left out, Kd stays");
-    check_material("Kd 1\nmap_Kd -o 1 1 1 a.png", white(), &said);
+    check_material("Kd 1\nmap_Kd -o 1 1 1 a.png", &white(), &said);
     let said = of("bump of material \"m\" (lib.mtl:3): a surface's relief is left out");
-    check_material("Kd 1\nbump b.png", white(), &said);
+    check_material("Kd 1\nbump b.png", &white(), &said);
     let said =
         of("Kd of material \"m\" (lib.mtl:2): a color by its spectrum or in CIE XYZ is left out");
-    check_material("Kd xyz 1 1 1", Material::Lambert { diffuse: None }, &said);
+    check_material("Kd xyz 1 1 1", &Material::Lambert { diffuse: None }, &said);
     let said =
         of("newmtl of material \"m\" (lib.mtl:3): a second material of the same name is left out");
-    check_material("Kd 1\nnewmtl m\nKd 0", white(), &said);
+    check_material("Kd 1\nnewmtl m\nKd 0", &white(), &said);
 }
 
 #[test]

@@ -69,14 +69,14 @@ impl<'a> Body<'a> {
             values.clear();
             let read = self.property(property, values);
             read.map_err(|why| {
-                self.error(element, number, format!("property `{}`: {why}", property.name))
+                self.error(element, number, &format!("property `{}`: {why}", property.name))
             })?;
         }
         Ok(())
     }
 
     /// An error in one of an element's things.
-    pub(super) fn error(&self, element: &Element, number: u64, why: String) -> Unreadable {
+    pub(super) fn error(&self, element: &Element, number: u64, why: &str) -> Unreadable {
         let message = format!("`{}` number {number}: {why}", element.name);
         Unreadable { place: self.place, message, help: None }
     }
@@ -111,15 +111,12 @@ impl<'a> Body<'a> {
         let (bytes, rest) = self.bytes.split_at_checked(of.size()).ok_or_else(ended)?;
         self.bytes = rest;
         let mut eight = [0; 8];
-        let bits = match self.format {
-            Format::BigEndian => {
-                eight[8 - bytes.len()..].copy_from_slice(bytes);
-                u64::from_be_bytes(eight)
-            }
-            _ => {
-                eight[..bytes.len()].copy_from_slice(bytes);
-                u64::from_le_bytes(eight)
-            }
+        let bits = if self.format == Format::BigEndian {
+            eight[8 - bytes.len()..].copy_from_slice(bytes);
+            u64::from_be_bytes(eight)
+        } else {
+            eight[..bytes.len()].copy_from_slice(bytes);
+            u64::from_le_bytes(eight)
         };
         let number = match of {
             Scalar::I8 => f64::from((bits as u8).cast_signed()),

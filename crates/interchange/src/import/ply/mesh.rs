@@ -138,8 +138,10 @@ impl Builder {
     /// # Errors
     /// What is wrong with them.
     pub(super) fn take(&mut self) -> Result<(), String> {
-        if self.part.vertices.len() + self.corners.len() >= MOST_ELEMENTS {
-            return Err(format!("expected at most {MOST_ELEMENTS} vertices and corners together"));
+        if self.part.vertices.len() + self.corners.len() / 3 >= MOST_ELEMENTS {
+            return Err(format!(
+                "expected at most {MOST_ELEMENTS} vertices and triangles together"
+            ));
         }
         match self.columns {
             Columns::Vertex { position, normal, uv } => {

@@ -8,7 +8,7 @@ mod header;
 mod mesh;
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use scene::Assets;
 
@@ -47,7 +47,7 @@ fn part(bytes: &[u8], stage: &mut Stage) -> Result<Part, Unreadable> {
         builder.begin(element, stage)?;
         for number in 0..element.count {
             body.read(element, number, builder.values())?;
-            builder.take().map_err(|why| body.error(element, number, why))?;
+            builder.take().map_err(|why| body.error(element, number, &why))?;
         }
     }
     body.end(stage);

@@ -9,7 +9,7 @@ mod facets;
 mod text;
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use scene::Assets;
 

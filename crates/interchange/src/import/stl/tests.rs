@@ -22,9 +22,7 @@ pub(in crate::import) fn text() -> String {
     let mut text = "solid facet normal\n".to_owned();
     for corners in TETRAHEDRON {
         text += "facet normal 0 0 0\n outer loop\n";
-        for [x, y, z] in corners {
-            text += &format!("  vertex {x:e} {y:e} {z:e}\n");
-        }
+        text += &corners.map(|[x, y, z]| format!("  vertex {x:e} {y:e} {z:e}\n")).concat();
         text += " endloop\nendfacet\n";
     }
     text + "endsolid facet normal\n"
