@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use conform::card;
 use conform::run::{Plan, RESULTS, Renderer, Subject, Told, run, subjects};
-use conform::{Conformed, Outcome};
+use conform::{Conformed, Outcome, objects_of};
 use harness::suite::Suite;
 
 use crate::interrupt::Interrupt;
@@ -48,7 +49,7 @@ Examples:
   cargo xtask conform --renderer mine/adapter.ron --timeout 5 --json results.json";
 
 /// A number of seconds as the flag has it.
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let most = conform::adapter::MAX_TIMEOUT_S;
     let found = text.parse().ok().filter(|found| (0.1..=most).contains(found));
     found
@@ -80,6 +81,12 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 
 /// What is made of all runs together.
 fn report(here: &Here, args: &Args, all: &[Conformed]) -> Result<(), CannotAsk> {
+    let suite = here.suite()?;
+    let out = args.out.clone().unwrap_or_else(|| suite.root().join(Suite::CONFORM));
+    let (_, files) = card::write(&out, all, &|name| objects_of(&suite, name))?;
+    for path in files {
+        println!("wrote {}", path.display());
+    }
     if let Some(json) = &args.json {
         let runs: Vec<_> = all.iter().map(|conformed| &conformed.run).collect();
         here.write(json, format!("{}\n", serde_json::to_string_pretty(&runs)?).as_bytes())?;

@@ -1,11 +1,11 @@
 //! `grade`: points for what a renderer gets right, by a rubric.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use conform::grade::{Grade, Plan, grade_lines, plan_lines, write};
-use conform::{Conformed, objects_of};
-use harness::suite::Suite;
+use conform::objects_of;
 
+use super::conform::{Asked, Ran, conformed, seconds};
 use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `grade`.
@@ -21,6 +21,12 @@ pub(crate) struct Args {
     /// Where grade.html, grade.md and grade.json are put [default: target/goldray-grade]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Render so many scenes at a time
+    #[arg(long, value_name = "COUNT", default_value = "1", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: u16,
+    /// Kill the renderer after so long, in place of what its adapter says
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    timeout: Option<std::time::Duration>,
     /// Say what each part of the rubric is about, and render nothing
     #[arg(long)]
     plan: bool,
@@ -54,33 +60,24 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return Ok(Answer::Yes);
     }
     let names: Vec<String> = plan.asked().into_iter().cloned().collect();
-    let Some(conformed) = conformed(here, &suite, &args.renderer, &names, &out)? else {
-        return Ok(Answer::Code(INTERRUPTED));
+    let asked = Asked {
+        renderers: std::slice::from_ref(&args.renderer),
+        filters: &names,
+        out: Some(&out),
+        jobs: args.jobs.into(),
+        timeout: args.timeout,
     };
-    let grade = Grade::of(&plan, &conformed);
-    let files = write(&out, &grade, &conformed, &|name| objects_of(&suite, name))?;
+    let all = match conformed(here, &asked)? {
+        Ran::All(all) => all,
+        Ran::Interrupted(answer) => return Ok(answer),
+    };
+    // One renderer was asked, so there is one run.
+    let Some(conformed) = all.first() else { return Ok(Answer::No) };
+    let grade = Grade::of(&plan, conformed);
+    let files = write(&out, &grade, conformed, &|name| objects_of(&suite, name))?;
     print!("{}", grade_lines(&grade));
     for path in files {
         println!("wrote {}", path.display());
     }
     Ok(if grade.is_full() { Answer::Yes } else { Answer::No })
-}
-
-/// What a shell calls ended by Ctrl-C.
-const INTERRUPTED: u8 = 130;
-
-/// The run of the renderer over these fixtures; `None` where it was interrupted.
-///
-/// The one place where a grade and the running of renderers meet.
-fn conformed(
-    _here: &Here,
-    _suite: &Suite,
-    renderer: &str,
-    names: &[String],
-    _out: &Path,
-) -> Result<Option<Conformed>, CannotAsk> {
-    let count = names.len();
-    Err(CannotAsk(format!(
-        "--renderer {renderer}: this build runs no renderers, so {count} fixtures are not asked"
-    )))
 }
