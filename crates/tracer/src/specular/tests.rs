@@ -75,6 +75,16 @@ fn a_floor_of_each_material_under_the_sky() {
     let schlick = Material::Mirror { reflectance: third, schlick: true };
     let grown = |r0: f64| r0 + (1.0 - r0) * 32.0 / 3125.0;
     check_floor(schlick, 0.75, [r, grown(0.5) * g, grown(0.25) * b]);
+    let whitted = Material::Whitted {
+        diffuse: Rgb::BLACK,
+        specular: Rgb::BLACK,
+        exponent: 1.0,
+        reflect: third,
+        transmit: Rgb::BLACK,
+        ior: 1.0,
+        schlick: true,
+    };
+    check_floor(whitted, 0.75, [r, grown(0.5) * g, grown(0.25) * b]);
     // All of it is sky, whatever the share.
     check_floor(glass(1.5), 0.3, [r, g, b]);
     // Straight down 1/25 is reflected.
@@ -267,6 +277,8 @@ fn no_ray_is_lost_at_the_surface_of_what_is_closed() {
 /// Whatever the shading normal, both ways are on the proper sides.
 #[test]
 fn interpolated_normals_send_no_ray_through_a_mirror() {
+    let world = Group::world(vec![object(plane(DVec3::ZERO, DVec3::Z), MIRROR)]);
+    let any_hit = world.intersect(&Ray::new(DVec3::Z, -DVec3::Z), Interval::AHEAD).unwrap();
     let mut any = fastrand::Rng::with_seed(5);
     let mut bent = 0;
     for _ in 0..5000 {
@@ -275,16 +287,8 @@ fn interpolated_normals_send_no_ray_through_a_mirror() {
             UnitVec::new(v).unwrap_or(UnitVec::Z)
         };
         let (d, geometric_normal, shading_normal) = (unit(), unit(), unit());
-        let hit = Hit {
-            t: 1.0,
-            point: DVec3::ZERO,
-            point_error: 1e-15,
-            geometric_normal,
-            shading_normal,
-            material: glass(1.5),
-            object: crate::ObjectId(0),
-            part: 0,
-        };
+        let material = glass(1.5);
+        let hit = Hit { geometric_normal, shading_normal, material, ..any_hit };
         let parts = Parts::of(&Ray::new(-*d, *d * 3.0), &hit);
         let before =
             if geometric_normal.dot(*d) > 0.0 { -geometric_normal } else { geometric_normal };

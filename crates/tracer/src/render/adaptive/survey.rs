@@ -50,7 +50,7 @@ pub(super) fn beside((i, j): (u32, u32), (right, up): (i32, i32)) -> Option<(u32
 }
 
 /// Whether both see the same object, from about the same side, in the same
-/// shadows.
+/// shadows, and the same so in mirrors and through glass.
 pub(super) fn is_alike(one: &Look, other: &Look) -> bool {
     let same_surface = match (one.surface, other.surface) {
         (None, None) => true,
