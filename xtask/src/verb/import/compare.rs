@@ -13,8 +13,8 @@ use harness::store;
 pub(super) struct Compare {
     /// Compare each scene's picture with the one of this name beside FILE, where {file} is FILE's
     /// name and {name} that without its ending; of several, the first that is there
-    #[arg(long, value_name = "PATTERN")]
-    compare_to: Vec<String>,
+    #[arg(long = "compare-to", id = "compare_to", value_name = "PATTERN")]
+    patterns: Vec<String>,
     /// The largest difference of 8-bit values that agrees
     #[arg(long, value_name = "CODES", default_value_t = 0, requires = "compare_to")]
     max_abs: u8,
@@ -44,7 +44,7 @@ impl Compare {
         text: &str,
         files: &BTreeMap<String, Vec<u8>>,
     ) -> Option<Result<Distance, String>> {
-        (!self.compare_to.is_empty()).then(|| {
+        (!self.patterns.is_empty()).then(|| {
             let path = self.reference(file)?;
             let said = |why: String| format!("{}: {why}", path.display());
             let bytes = store::read(&path, MAX_BYTES).map_err(|error| error.to_string())?;
@@ -64,7 +64,7 @@ impl Compare {
         let path = |pattern: &String| {
             file.with_file_name(pattern.replace("{file}", &whole).replace("{name}", &stem))
         };
-        let paths: Vec<PathBuf> = self.compare_to.iter().map(path).collect();
+        let paths: Vec<PathBuf> = self.patterns.iter().map(path).collect();
         let found = paths.iter().find(|path| store::is_file(path)).cloned();
         found.ok_or_else(|| {
             let shown: Vec<_> = paths.iter().map(|path| path.display().to_string()).collect();

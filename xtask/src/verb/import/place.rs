@@ -81,7 +81,7 @@ impl Place {
                 Err(_) => return Err(in_the_way(&path)),
             };
             match &before {
-                Some(before) if before == bytes => continue,
+                Some(before) if before == bytes => {}
                 Some(_) if !force => return Err(in_the_way(&path)),
                 _ => to_write.push((path, bytes, before)),
             }
