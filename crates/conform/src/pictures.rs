@@ -9,7 +9,6 @@ use harness::picture::HEAT;
 use tracer::{LinearImage, Rgb};
 
 use crate::Evidence;
-use crate::consensus::DARKEST;
 
 /// The color of edge pixels beyond the tolerance, which are no failure.
 pub(crate) const EDGE: [u8; 3] = [64, 148, 232];
@@ -41,6 +40,7 @@ pub(crate) fn difference(evidence: &Evidence, tolerance: f64) -> Option<EncodedI
         return None;
     }
     let dim = seen(&evidence.reference);
+    let floor = floor(&evidence.reference);
     Some(EncodedImage::from_fn(size, |x, y| {
         let pixel = y as usize * size.width as usize + x as usize;
         if !evidence.off[pixel] {
@@ -51,14 +51,25 @@ pub(crate) fn difference(evidence: &Evidence, tolerance: f64) -> Option<EncodedI
         if evidence.edges[pixel] {
             return EDGE;
         }
-        let error = error(evidence.reference.pixels()[pixel], evidence.actual.pixels()[pixel]);
-        HEAT[heat(error / tolerance)]
+        let (a, b) = (evidence.reference.pixels()[pixel], evidence.actual.pixels()[pixel]);
+        HEAT[heat(error(a, b, floor) / tolerance)]
     }))
 }
 
-/// The worst channel's distance, relative to the reference's brightest channel.
-pub(crate) fn error(reference: Rgb, actual: Rgb) -> f64 {
-    let brightest = reference.channels().into_iter().fold(DARKEST, f64::max);
+/// What the errors of pixels are relative to at least: a hundredth of white, or of the
+/// picture's brightest channel where that is darker. What is black has no relative
+/// error.
+pub(crate) fn floor(reference: &LinearImage) -> f64 {
+    const DARKEST: f64 = 0.01;
+    let channels = reference.pixels().iter().flat_map(|pixel| pixel.channels());
+    let brightest = channels.fold(0.0, |most: f64, channel| most.max(channel.abs()));
+    DARKEST * if brightest > 0.0 { brightest.min(1.0) } else { 1.0 }
+}
+
+/// The worst channel's distance, relative to the reference's brightest channel, which
+/// counts as `floor` where it is darker.
+pub(crate) fn error(reference: Rgb, actual: Rgb, floor: f64) -> f64 {
+    let brightest = reference.channels().into_iter().fold(floor, |most, c| most.max(c.abs()));
     let pairs = reference.channels().into_iter().zip(actual.channels());
     let distances = pairs.map(|(a, b)| (a - b).abs() / brightest);
     // A NaN is the worst that there is.

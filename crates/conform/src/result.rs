@@ -111,12 +111,13 @@ pub struct Conformed {
 pub struct Evidence {
     /// goldray's picture, linear, exposure applied.
     pub reference: LinearImage,
-    /// The renderer's.
+    /// The renderer's, with each number of its file taken as it is.
     pub actual: LinearImage,
-    /// The largest half step between two values of the renderer's file around
-    /// each channel, relative as in [`Numbers::worst_interior`] 0 for floats: how
-    /// far `actual` may be from what was meant.
-    pub step: f64,
+    /// The least that each number of the file may stand for: half a step below, or
+    /// minus infinity where it was clamped.
+    pub low: LinearImage,
+    /// The most: half a step above, or infinity.
+    pub high: LinearImage,
     /// Whether each pixel is an edge, row-major.
     pub edges: Vec<bool>,
     /// Whether each pixel is beyond the tolerance, row-major.

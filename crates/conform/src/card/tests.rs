@@ -164,7 +164,6 @@ fn every_file_is_written_whole() {
     ];
     assert_eq!(names, expected);
     let read = |i: usize| harness::store::read(&files[i], 1 << 30).unwrap().unwrap();
-    let document: serde_json::Value = serde_json::from_slice(&read(0)).unwrap();
-    assert_eq!(document, json(&card));
+    assert!(read(0) == format!("{:#}\n", json(&card)).into_bytes());
     assert!(read(3).starts_with(b"<svg "));
 }

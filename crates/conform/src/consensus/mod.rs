@@ -4,10 +4,10 @@
 //! goldray is one of them, by the picture that judges the others. A run of goldray
 //! itself, by its own adapter, is the same program: it gets no second vote.
 //!
-//! Two agree in a pixel where no channel of theirs is farther apart than the larger
-//! tolerance, relative to the brightest channel of the two, and what their files
-//! cannot tell. Whether one agrees with goldray has been judged, and is taken from
-//! there. Pixels where a moved sample would see something else are counted apart: any
+//! Two agree in a pixel where what their files may stand for is in no channel farther
+//! apart than the larger tolerance, relative to the brightest channel of the two.
+//! Whether one agrees with goldray has been judged, and is taken from there; two that
+//! do agree with each other as well: their values are about the one that goldray has. Pixels where a moved sample would see something else are counted apart: any
 //! two renderers may differ there.
 
 mod opinion;
@@ -24,6 +24,7 @@ pub use overall::{Overall, Share, overall};
 pub use picture::{COLORS, SEVERAL, UNDECIDED, disagreement};
 
 use crate::objects::{Objects, Seen};
+use crate::pictures::floor;
 use crate::{Conformed, Evidence};
 use regions::areas;
 
@@ -35,10 +36,6 @@ pub const FEWEST_VOTERS: usize = 3;
 
 /// So many regions are told, the largest.
 pub const MOST_REGIONS: usize = 100;
-
-/// Where both are darker than this in every channel, their difference is taken
-/// relative to it: a thousandth of white.
-pub const DARKEST: f64 = 1e-3;
 
 /// What renderers say of one scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,12 +83,9 @@ pub struct Region {
 
 /// A renderer's picture, and how far it may be off.
 struct Voice<'a> {
-    picture: &'a LinearImage,
-    /// Tolerance and half step of its file together, relative.
     tolerance: f64,
-    step: f64,
-    /// Where it was judged to be beyond its tolerance from goldray.
-    off: Option<&'a [bool]>,
+    /// Its picture; `None` for goldray.
+    evidence: Option<&'a Evidence>,
 }
 
 /// What the runs say of a fixture; `None` where fewer than [`FEWEST_VOTERS`] have a
@@ -108,8 +102,7 @@ pub fn of_fixture(
     let asked: Vec<_> = others.filter(|one| one.run.fixtures.contains_key(name)).collect();
     let reference = asked.iter().find_map(|one| one.evidence.get(name).filter(|e| is_whole(e)))?;
     let size = reference.reference.size();
-    let mut voices =
-        vec![Voice { picture: &reference.reference, tolerance: 0.0, step: 0.0, off: None }];
+    let mut voices = vec![Voice { tolerance: 0.0, evidence: None }];
     let (mut voters, mut unheard) = (vec![GOLDRAY.to_owned()], Vec::new());
     for one in asked {
         let id = one.run.renderer.id.clone();
@@ -120,9 +113,9 @@ pub fn of_fixture(
                 && voices.len() < MOST_VOTERS
         });
         match evidence {
-            Some(Evidence { actual, step, off, .. }) => {
+            Some(evidence) => {
                 let tolerance = one.run.tolerance;
-                voices.push(Voice { picture: actual, tolerance, step: *step, off: Some(off) });
+                voices.push(Voice { tolerance, evidence: Some(evidence) });
                 voters.push(id);
             }
             None => unheard.push(id),
@@ -131,14 +124,18 @@ pub fn of_fixture(
     if voices.len() < FEWEST_VOTERS {
         return None;
     }
-    let map = opinions(&voices);
+    let floor = floor(&reference.reference);
+    let opinion =
+        |i: usize| Opinion::of(voices.len(), |a, b| agree(&voices[a], &voices[b], i, floor));
+    let map = (0..reference.edges.len()).map(opinion).collect();
     Some(told(Told { voters, unheard, ..blank(size) }, map, &reference.edges, objects))
 }
 
 /// Whether every part is of one size.
 fn is_whole(evidence: &Evidence) -> bool {
     let pixels = evidence.reference.pixels().len();
-    evidence.actual.size() == evidence.reference.size()
+    let sizes = [&evidence.actual, &evidence.low, &evidence.high].map(LinearImage::size);
+    sizes == [evidence.reference.size(); 3]
         && [evidence.edges.len(), evidence.off.len()] == [pixels; 2]
 }
 
@@ -160,27 +157,25 @@ fn blank(size: Size) -> Told {
     }
 }
 
-fn opinions(voices: &[Voice<'_>]) -> Vec<Opinion> {
-    let pixels = voices.first().map_or(0, |voice| voice.picture.pixels().len());
-    (0..pixels)
-        .map(|i| Opinion::of(voices.len(), |a, b| agree(&voices[a], &voices[b], i)))
-        .collect()
-}
-
-/// Whether two agree in a pixel; the first may be goldray.
-fn agree(a: &Voice<'_>, b: &Voice<'_>, pixel: usize) -> bool {
-    if let (None, Some(off)) = (a.off, b.off) {
-        return !off[pixel];
+/// Whether two agree in a pixel.
+fn agree(a: &Voice<'_>, b: &Voice<'_>, pixel: usize, floor: f64) -> bool {
+    let (a_evidence, b_evidence) = match (a.evidence, b.evidence) {
+        (Some(a), Some(b)) => (a, b),
+        (None, Some(one)) | (Some(one), None) => return !one.off[pixel],
+        (None, None) => return true,
+    };
+    if !a_evidence.off[pixel] && !b_evidence.off[pixel] {
+        return true;
     }
-    let tolerance = a.tolerance.max(b.tolerance) + a.step + b.step;
-    is_near(a.picture.pixels()[pixel], b.picture.pixels()[pixel], tolerance)
-}
-
-fn is_near(a: Rgb, b: Rgb, tolerance: f64) -> bool {
-    let pairs = || a.channels().into_iter().zip(b.channels());
-    let brightest = pairs().fold(DARKEST, |most, (a, b)| most.max(a.abs()).max(b.abs()));
-    // Two infinities are equal and have no distance; a NaN is near nothing.
-    pairs().all(|(a, b)| a == b || (a - b).abs() <= tolerance * brightest && brightest.is_finite())
+    let channels = |picture: &LinearImage| picture.pixels()[pixel].channels();
+    let nominal = [channels(&a_evidence.actual), channels(&b_evidence.actual)].concat();
+    let brightest = nominal.iter().fold(floor, |most, c| most.max(c.abs()));
+    let allowed = a.tolerance.max(b.tolerance) * brightest;
+    let (a_low, a_high) = (channels(&a_evidence.low), channels(&a_evidence.high));
+    let (b_low, b_high) = (channels(&b_evidence.low), channels(&b_evidence.high));
+    // What is no number is near nothing, and what is infinite has no neighbors.
+    nominal.iter().all(|c| c.is_finite())
+        && (0..3).all(|i| a_low[i] - b_high[i] <= allowed && b_low[i] - a_high[i] <= allowed)
 }
 
 /// Counts the opinions and finds their regions.

@@ -127,6 +127,10 @@ fn pictures_that_do_not_fit_are_unheard() {
     all[1].evidence.get_mut("f").unwrap().reference = gray(&["12"]);
     all[2].evidence.get_mut("f").unwrap().off.pop();
     assert_eq!(tell(&all), None, "of the four, one is left, and goldray");
+    all[0].evidence.get_mut("f").unwrap().actual = gray(&["11"]);
+    assert!(tell(&all).is_some());
+    all[0].evidence.get_mut("f").unwrap().high = gray(&["1"]);
+    assert_eq!(tell(&all), None);
 }
 
 #[test]
@@ -137,33 +141,55 @@ fn no_more_are_heard_than_can_be() {
 }
 
 #[test]
-fn a_file_of_few_steps_is_given_them() {
+fn values_that_files_cannot_tell_apart_agree() {
+    /// Whether two agree whose numbers stand for these, where neither agrees with goldray.
     #[track_caller]
-    fn check(a: f64, b: f64, step: f64, expected: bool) {
-        let mut all = runs(&["1"], &["."], &[&["1"], &["1"]]);
-        for (one, value) in all.iter_mut().zip([a, b]) {
+    fn check(a: [f64; 3], b: [f64; 3], expected: bool) {
+        let mut all = runs(&["9"], &["."], &[&["1"], &["1"]]);
+        for (one, values) in all.iter_mut().zip([a, b]) {
             let evidence = one.evidence.get_mut("f").unwrap();
-            evidence.actual = LinearImage::from_fn(Size { width: 1, height: 1 }, |_, _| {
-                Rgb::new(value, 0.0, value)
+            let [low, nominal, high] = values.map(|value| {
+                LinearImage::from_fn(Size { width: 1, height: 1 }, |_, _| Rgb::new(0.0, value, 0.0))
             });
-            // Neither agrees with goldray.
-            (evidence.off, evidence.step) = (vec![true], step);
+            (evidence.low, evidence.actual, evidence.high) = (low, nominal, high);
         }
         let opinion = *tell(&all).unwrap().opinions.keys().next().unwrap();
         let alone = Opinion::Against(Voters::NONE.with(0));
-        assert_eq!(opinion == alone, expected, "{a} {b} {step}: {opinion:?}");
+        assert_eq!(opinion == alone, expected, "{a:?} {b:?}: {opinion:?}");
     }
-    check(0.5, 0.5, 0.0, true);
-    check(0.5, 0.5 + 4e-6, 0.0, true);
-    check(0.5, 0.5 + 6e-6, 0.0, false);
-    check(0.5, 0.501, 1e-3, true);
-    check(0.5, 0.502, 1e-3, false);
-    // In the dark, relative to a thousandth of white.
-    check(0.0, 0.9e-8, 0.0, true);
-    check(0.0, 1.1e-8, 0.0, false);
-    check(f64::INFINITY, f64::INFINITY, 0.0, true);
-    check(f64::INFINITY, 1.0, 0.0, false);
-    check(f64::NAN, f64::NAN, 0.0, false);
+    let exact = |value| [value; 3];
+    let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
+    check(exact(0.5), exact(0.5), true);
+    check(exact(0.5), exact(0.5 + 4e-6), true);
+    check(exact(0.5), exact(0.5 + 6e-6), false);
+    check([0.499, 0.5, 0.501], exact(0.501), true);
+    check([0.499, 0.5, 0.501], exact(0.502), false);
+    check(exact(0.498), [0.499, 0.5, 0.501], false);
+    check([0.499, 0.5, 0.501], [0.501, 0.502, 0.503], true);
+    // Clamped to white, it may be anything brighter; to black, anything darker.
+    check([0.99, 1.0, most], exact(7.0), true);
+    check([0.99, 1.0, most], exact(0.9), false);
+    check([least, 0.0, 0.001], exact(-3.0), true);
+    // In the dark, relative to a hundredth of the picture's brightest.
+    check(exact(0.0), exact(0.8e-7), true);
+    check(exact(0.0), exact(1.1e-7), false);
+    check(exact(most), exact(most), false);
+    check(exact(most), exact(1.0), false);
+    check(exact(f64::NAN), exact(f64::NAN), false);
+}
+
+#[test]
+fn two_that_agree_with_goldray_agree_with_each_other() {
+    let mut all = runs(&["5"], &["."], &[&["5"], &["5"]]);
+    for (one, value) in all.iter_mut().zip([0.5 - 4e-6, 0.5 + 4e-6]) {
+        let evidence = one.evidence.get_mut("f").unwrap();
+        let actual = LinearImage::from_fn(evidence.actual.size(), |_, _| Rgb::new(value, 0.0, 0.0));
+        evidence.low = actual.clone();
+        evidence.high = actual.clone();
+        evidence.actual = actual;
+    }
+    let opinions: Vec<_> = tell(&all).unwrap().opinions.into_keys().collect();
+    assert_eq!(opinions, [Opinion::Agree]);
 }
 
 const BALL: &str = "(version: 1, image: (24, 24), show: SurfaceColor,
