@@ -211,15 +211,16 @@ fn what_is_not_supported_is_said_and_not_asked() {
 
 #[test]
 fn a_failure_can_be_run_by_hand() {
-    let (tree, ran) = check("echo loud; exit 1", "", ["crashed"; 3], "exit status: 1");
+    let loud = "env: {\"WORD\": \"very loud\"}";
+    let (tree, ran) = check("echo $WORD; exit 1", loud, ["crashed"; 3], "exit status: 1");
     let stdout = ran.stdout();
     let line = stdout.lines().find_map(|line| line.trim().strip_prefix("by hand: ")).unwrap();
     let by_hand = std::process::Command::new("sh").args(["-c", line]).output().unwrap();
-    assert_eq!(by_hand.stdout, b"loud\n", "{line}");
+    assert_eq!(by_hand.stdout, b"very loud\n", "{line}");
     let kept = "target/goldray-conform/t/a/square.files";
     assert!(tree.path(&format!("{kept}/scene.ron")).exists());
     let printed = fs::read_to_string(tree.path(&format!("{kept}/printed.txt"))).unwrap();
-    assert!(printed.contains("loud"), "{printed}");
+    assert!(printed.contains("very loud"), "{printed}");
     // A check leaves that alone, and the next run takes it away.
     tree.run(&["check"]).expect_code(0);
     assert!(tree.path(kept).exists());
@@ -253,8 +254,10 @@ fn what_cannot_be_asked_is_said_at_once() {
     ask("u").expect("there is no program \"no-such-tracer\" here");
     write("(name: \"U\", command: [\"./u\", \"{scene}\"], scene: Ron)");
     ask("u").expect("write {folder}/... for what is beside the adapter file");
-    write("(name: \"U\", command: [\"sh\", \"{scne}\"], scene: Ron,\n colour: 1)");
+    write("(name: \"U\", command: [\"sh\", \"{scne}\"], scene: Ron)");
     ask("u").expect("adapters/u.ron:1:").expect("did you mean {scene}?");
+    write("(name: \"U\", command: [\"sh\", \"{scene}\"], scene: Ron,\n colour: 1)");
+    ask("u").expect("adapters/u.ron:2:2: unknown field `colour`");
     let version = "version: [\"sh\", \"-c\", \"echo not here >&2; exit 1\"]";
     write(&format!("(name: \"U\", command: [\"sh\", \"{{scene}}\"], scene: Ron, {version})"));
     ask("u").expect("failed: exit status: 1: not here");

@@ -1,8 +1,8 @@
 //! `Adapter`: how a renderer that goldray does not know is asked for a picture,
 //! read from a small RON file.
 //!
-//! `docs/conform.md` has its fields. All problems of a file are told at once, each
-//! with its place.
+//! `docs/conform.md` has its fields. All problems of a file's form are told at once,
+//! then all of its meaning, each with its place.
 
 mod builtin;
 mod find;

@@ -108,12 +108,12 @@ impl Group {
     /// Kills whoever has the mark, until there is nobody. What starts others
     /// without end could go on for ever, so there is an end to this.
     #[cfg(unix)]
-    fn kill_marked(&self) {
+    fn kill_marked(&mut self) {
         const ROUNDS: usize = 50;
         const PAUSE: std::time::Duration = std::time::Duration::from_millis(2);
-        let Some(mark) = &self.mark else { return };
+        let Some(mark) = self.mark.take() else { return };
         for _ in 0..ROUNDS {
-            let found = harness::store::processes_with(mark);
+            let found = harness::store::processes_with(&mark);
             if found.is_empty() {
                 return;
             }
@@ -127,7 +127,7 @@ impl Group {
     }
 
     #[cfg(not(unix))]
-    fn kill_marked(&self) {}
+    fn kill_marked(&mut self) {}
 
     #[cfg(unix)]
     fn pid(&self) -> nix::unistd::Pid {

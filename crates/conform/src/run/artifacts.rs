@@ -34,6 +34,8 @@ pub(super) struct Kept<'a> {
     pub(super) said: &'a str,
     /// The program and its arguments.
     pub(super) words: &'a [String],
+    /// What its environment has beside that of this program.
+    pub(super) env: &'a BTreeMap<String, String>,
 }
 
 /// Writes what is needed to run a renderer by hand; how that is done.
@@ -51,7 +53,10 @@ pub(super) fn keep(folder: &Path, name: &str, kept: &Kept<'_>) -> Result<String,
     if !kept.said.is_empty() {
         store::write(&place.join("printed.txt"), kept.said.as_bytes())?;
     }
-    let words: Vec<_> = kept.words.iter().map(|word| quoted(word)).collect();
+    let variables = kept.env.iter().map(|(name, value)| quoted(&format!("{name}={value}")));
+    let env = (!kept.env.is_empty()).then(|| "env".to_owned());
+    let words = kept.words.iter().map(|word| quoted(word));
+    let words: Vec<_> = env.into_iter().chain(variables).chain(words).collect();
     Ok(format!("cd {} && {}", quoted(&place.display().to_string()), words.join(" ")))
 }
 

@@ -20,6 +20,9 @@ const MAX_WRITTEN: u64 = 2 << 30;
 /// The largest picture file that is read, in bytes.
 const MAX_PICTURE: u64 = 1 << 30;
 
+/// The variable that says where temporary files go.
+const TEMPORARY: &str = "TMPDIR";
+
 /// The most of a picture that is kept for somebody to look at, in bytes.
 const MAX_KEPT: usize = 64 << 20;
 
@@ -74,8 +77,10 @@ pub(super) fn render_and_judge(
     }
     let words = words(renderer, subject, &exported);
     let mut command = renderer.command(&words, scratch.folder());
-    // What it leaves there goes away with the folder.
-    command.env("TMPDIR", scratch.folder());
+    if !renderer.adapter.env.contains_key(TEMPORARY) {
+        // What it leaves there goes away with the folder.
+        command.env(TEMPORARY, scratch.folder());
+    }
     let time = plan.timeout.unwrap_or(renderer.adapter.timeout);
     let growth = Some((scratch.folder(), MAX_WRITTEN));
     let ran = run(&mut command, &Bounds { time, growth, stop: plan.stop });
@@ -101,7 +106,8 @@ pub(super) fn render_and_judge(
         let output = output.filter(|bytes| bytes.len() <= MAX_KEPT);
         let output = output.map(|bytes| (renderer.adapter.output.as_str(), bytes));
         let said = printed(&ran);
-        let kept = Kept { files: &exported.files, output, said: &said, words: &words };
+        let env = &renderer.adapter.env;
+        let kept = Kept { files: &exported.files, output, said: &said, words: &words, env };
         by_hand = Some(keep(plan.folder, &subject.name, &kept)?);
     }
     let evidence = verdict.judged.map(|(_, evidence)| evidence);
