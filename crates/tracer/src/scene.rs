@@ -48,6 +48,8 @@ pub(crate) struct Look {
     pub(crate) color: Rgb,
     /// Which object, and its normal there.
     pub(crate) surface: Option<(ObjectId, UnitVec)>,
+    /// Which part of its texture; see [`crate::Hit::texel`].
+    pub(crate) texel: u32,
     /// For each light, up to 64 of them, whether something is in its way.
     pub(crate) shadows: u64,
 }
@@ -55,7 +57,7 @@ pub(crate) struct Look {
 impl Look {
     /// At the background.
     pub(crate) fn nothing(background: Rgb) -> Self {
-        Self { color: background, surface: None, shadows: 0 }
+        Self { color: background, surface: None, texel: 0, shadows: 0 }
     }
 }
 
@@ -255,6 +257,8 @@ impl Scene {
                 shown.map_or(shaded, |color| (color, 0))
             }
         };
-        Look { color, surface: Some((hit.object, hit.geometric_normal)), shadows }
+        let shows_textures = matches!(show, Show::Shaded | Show::SurfaceColor);
+        let texel = if shows_textures { hit.texel } else { 0 };
+        Look { color, surface: Some((hit.object, hit.geometric_normal)), texel, shadows }
     }
 }
