@@ -31,6 +31,7 @@ mod load;
 mod mesh;
 mod places;
 mod report;
+mod texture;
 mod visible;
 mod write;
 
@@ -41,5 +42,6 @@ pub use load::{Check, Loaded, load, parse, recompile, span_of};
 pub use mesh::is_mesh;
 pub use places::{Place, object_places};
 pub use report::report;
+pub use texture::is_texture;
 pub use visible::{is_invisible, visible};
 pub use write::write;

@@ -16,12 +16,14 @@ mod light;
 mod material;
 mod object;
 mod sampling;
+mod texture;
 
 pub use camera::Camera;
 pub use light::{Falloff, Light};
 pub use material::Material;
 pub use object::{Object, Transform};
 pub use sampling::{Filter, Sampler};
+pub use texture::{Pair, TexelEncoding, TexelFilter, Texture, Wrap};
 
 use std::collections::BTreeMap;
 
@@ -96,6 +98,22 @@ pub struct SceneFile<Check = Unchecked> {
     /// For the caller.
     #[serde(default = "none", skip_serializing_if = "Option::is_none")]
     pub check: Option<Check>,
+}
+
+impl<Check> SceneFile<Check> {
+    /// What a material really is: the one that its name leads to, or itself; `None`
+    /// for a name that leads to none.
+    pub fn resolved<'a>(&'a self, material: &'a Material) -> Option<&'a Material> {
+        let mut found = material;
+        // Longer ways are circles.
+        for _ in 0..=self.materials.len() {
+            match found {
+                Material::Named(name) => found = self.materials.get(name)?,
+                in_place => return Some(in_place),
+            }
+        }
+        None
+    }
 }
 
 /// The `check` of a caller that has none: no value of it can be written.

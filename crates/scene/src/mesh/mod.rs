@@ -1,10 +1,10 @@
-//! Mesh files: bytes to corners, triangles and normals.
+//! Mesh files: bytes to corners, triangles, normals and texture coordinates.
 
 mod obj;
 mod ply;
 
 use tracer::glam::DVec3;
-use tracer::shape::MeshNormals;
+use tracer::shape::{MeshNormals, MeshUvs};
 
 /// What a mesh file holds; indices are checked by the tracer.
 #[derive(Debug, Clone)]
@@ -12,6 +12,9 @@ pub(crate) struct MeshData {
     pub(crate) vertices: Vec<DVec3>,
     pub(crate) faces: Vec<[u32; 3]>,
     pub(crate) normals: Option<MeshNormals>,
+    /// Texture coordinates, or why there are none, as the middle of a sentence that
+    /// starts with the file's name.
+    pub(crate) uvs: Result<MeshUvs, String>,
 }
 
 /// Whether a file's name is that of a mesh.
