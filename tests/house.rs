@@ -10,7 +10,7 @@ use harness::fixture::{Build, Fixture};
 use harness::metric::corpus;
 use harness::relation::{self, Relation};
 use harness::suite::Suite;
-use harness::{golden, judge, picture, run, sample_mesh, template};
+use harness::{golden, judge, picture, run, sample_mesh, sample_texture, template};
 
 /// Every Rust file below a folder of the repository, with its text.
 fn sources(folder: &str) -> Vec<(PathBuf, String)> {
@@ -140,8 +140,9 @@ fn the_contact_sheet_shows_the_goldens_of_today() {
 }
 
 #[test]
-fn the_sample_meshes_are_what_the_code_makes() {
-    for (path, bytes) in sample_mesh::sample_meshes() {
+fn the_sample_meshes_and_textures_are_what_the_code_makes() {
+    let textures = sample_texture::sample_textures().unwrap();
+    for (path, bytes) in sample_mesh::sample_meshes().into_iter().chain(textures) {
         let committed = fs::read(repository().join(path)).unwrap();
         assert!(committed == bytes, "{path} is out of date: cargo xtask meshes");
     }

@@ -63,7 +63,7 @@ enum Verb {
     Grade(verb::grade::Args),
     /// Draw all goldens on one sheet
     ContactSheet(verb::contact_sheet::Args),
-    /// Make the meshes that the fixtures use
+    /// Make the meshes and textures that the fixtures use
     #[command(after_help = verb::meshes::EXAMPLES)]
     Meshes,
     /// Measure on this machine

@@ -284,4 +284,41 @@ mod tests {
         assert_eq!(other_mesh.scene, original.scene);
         assert_ne!(other_mesh.assets, original.assets);
     }
+
+    #[test]
+    fn a_texture_is_in_the_hashes_once_however_often_it_is_named() {
+        let text = r#"(
+            version: 1, image: (8, 6),
+            camera: LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 40),
+            materials: { "a": Constant(color: (1, 1, 1), texture: Image(file: "a.png")) },
+            objects: [
+                Sphere(center: (0, 0, 0), radius: 1, material: Named("a")),
+                Plane(point: (0, 0, 0), normal: (0, 1, 0), material: Lambert(
+                    texture: Image(file: "a.png", encoding: Linear, wrap: Clamp),
+                )),
+            ],
+        )"#;
+        let read = |text: &str, color: [u8; 3]| {
+            let size = tracer::Size { width: 2, height: 2 };
+            let picture = crate::encode::EncodedImage::from_fn(size, |_, _| color);
+            let png = crate::golden::to_png(&picture, None).unwrap();
+            let files = BTreeMap::from([("a.png".to_owned(), png)]);
+            Fixture::read("a", text, &files, Build::Bvh).unwrap()
+        };
+        let original = read(text, [1, 2, 3]);
+        let other = read(text, [1, 2, 4]);
+        assert_eq!(original.sources.assets.keys().collect::<Vec<_>>(), ["a.png"]);
+        assert_eq!(original.provenance.scene, other.provenance.scene);
+        assert_ne!(original.provenance.assets, other.provenance.assets);
+        assert_ne!(original.sources.assets, other.sources.assets);
+        let moved = read(&text.replace("wrap: Clamp", "wrap: Repeat"), [1, 2, 3]);
+        assert_ne!(original.provenance.scene, moved.provenance.scene);
+        let default = read(
+            &text.replace("file: \"a.png\")", "file: \"a.png\", filter: Bilinear)"),
+            [1, 2, 3],
+        );
+        assert_eq!(original.provenance, default.provenance);
+        // What related scenes are made of has it as well.
+        assert!(original.render_again().is_ok());
+    }
 }

@@ -48,6 +48,7 @@ pub mod report;
 pub mod review;
 pub mod run;
 pub mod sample_mesh;
+pub mod sample_texture;
 pub mod sensitivity;
 pub mod slow;
 pub mod stamps;

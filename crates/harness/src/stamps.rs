@@ -28,14 +28,15 @@ impl Stamps {
         "xtask",
     ];
 
-    /// The suite's fixtures, the meshes that they may name, its goldens, and what
+    /// The suite's fixtures, the meshes and textures that they may name, its goldens, and what
     /// is in the way of one.
     pub fn of_suite(suite: &Suite) -> Self {
-        // A mesh may be hidden, but a hidden fixture or golden is an error.
+        let is_asset = |path: &str| scene::is_mesh(path) || scene::is_texture(path);
+        // A mesh or texture may be hidden, but a hidden fixture or golden is an error.
         let is_read = |path: &Path, found| match found {
             Found::Folder => true,
             Found::FolderLink => !is_hidden(path),
-            Found::File if scene::is_mesh(&path.to_string_lossy()) => true,
+            Found::File if is_asset(&path.to_string_lossy()) => true,
             Found::File => ends_in(path, "ron") && !path.parent().is_some_and(is_hidden),
         };
         let is_golden = |path: &Path, found| match found {
@@ -141,7 +142,9 @@ mod tests {
         for file in ["fixtures/a.ron", "fixtures/deep/m.OBJ", "golden/a.png"] {
             check(write(file), &[file]);
         }
-        for file in ["fixtures/a/new.ply", "fixtures/b.ron", "golden/other/b.png"] {
+        for file in
+            ["fixtures/a/new.ply", "fixtures/a/new.PNG", "fixtures/b.ron", "golden/other/b.png"]
+        {
             check(write(file), &[file]);
         }
         check(|root| store::remove(&root.join("golden/a.png")).unwrap(), &["golden/a.png"]);
@@ -149,7 +152,13 @@ mod tests {
 
     #[test]
     fn what_is_hidden_or_in_the_way_is_looked_at_where_check_does() {
-        for file in ["fixtures/.m.obj", "fixtures/.h/m.ply", "fixtures/.b.ron", "golden/.b.png"] {
+        for file in [
+            "fixtures/.m.obj",
+            "fixtures/.t.png",
+            "fixtures/.h/m.ply",
+            "fixtures/.b.ron",
+            "golden/.b.png",
+        ] {
             check(write(file), &[file]);
         }
         for folder in ["fixtures/x.RON", "golden/z.png", "golden/deep/y.ron"] {

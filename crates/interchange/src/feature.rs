@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use scene::SceneFile;
-use scene::format::{Camera, Falloff, Filter, Light, Material, Object, Sampler, Shading, Show};
+use scene::format::{
+    Camera, Falloff, Filter, Light, Material, Object, Sampler, Shading, Show, Texture,
+};
 use serde::{Deserialize, Serialize};
 
 /// Makes the enum of all features from one list, by family.
@@ -95,6 +97,12 @@ features! {
         Glazed,
         /// Schlick's law for what is reflected.
         Schlick,
+    }
+    "textures": {
+        /// Two colors by turns.
+        CheckerTexture,
+        /// A picture.
+        ImageTexture,
     }
     "lights": {
         /// A light at a point, as bright at any distance.
@@ -245,10 +253,11 @@ fn of_objects<C>(
             Object::Mesh { .. } => Feature::Mesh,
         };
         found.insert(shape);
-        let named = match material {
-            Some(Material::Named(name)) => file.materials.get(name),
-            other => other,
-        };
+        let named = material.and_then(|material| file.resolved(material));
+        materials.extend(named.and_then(Material::texture).map(|texture| match texture {
+            Texture::Checker { .. } => Feature::CheckerTexture,
+            Texture::Image { .. } => Feature::ImageTexture,
+        }));
         materials.insert(match named {
             // A name that nothing has is a problem of the scene, not a feature.
             None | Some(Material::Lambert { .. } | Material::Named(_)) => Feature::Lambert,
@@ -355,6 +364,19 @@ mod tests {
                 Background,
             ],
         );
+    }
+
+    #[test]
+    fn textures_count_where_they_are_seen() {
+        use Feature::*;
+        let scene = "camera: LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 40), \
+                     materials: {\"a\": Named(\"b\"), \"b\": Constant(color: (1, 1, 1), texture: \
+                     Checker(a: (1, 1, 1), b: (0, 0, 0)))}, objects: [Sphere(center: (0, 0, 0), \
+                     radius: 1, material: Named(\"a\"))]";
+        check(scene, &[Perspective, Sphere, Constant, CheckerTexture]);
+        check(&format!("{scene}, show: Silhouette"), &[Perspective, Sphere, Silhouette]);
+        let image = scene.replace("Checker(a: (1, 1, 1), b: (0, 0, 0))", "Image(file: \"a.png\")");
+        check(&image, &[Perspective, Sphere, Constant, ImageTexture]);
     }
 
     #[test]

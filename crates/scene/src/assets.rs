@@ -1,4 +1,4 @@
-//! `Assets`: where a scene's meshes come from.
+//! `Assets`: where a scene's meshes and textures come from.
 //!
 //! A scene names files relative to its own folder. Which names are allowed is
 //! decided here, once; opening them is the caller's.
@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// The largest scene file that is read, in bytes.
 pub const MAX_SCENE_BYTES: usize = 4 << 20;
 
-/// The largest mesh file that is read, in bytes.
+/// The largest mesh or texture file that is read, in bytes.
 pub const MAX_ASSET_BYTES: u64 = 256 << 20;
 
 /// Gives the bytes of the files that a scene names.
@@ -22,7 +22,7 @@ pub trait Assets {
     fn read(&self, path: &str) -> Result<Vec<u8>, String>;
 }
 
-/// No files at all: for scenes without meshes.
+/// No files at all: for scenes without meshes and textures.
 #[derive(Debug, Clone, Copy)]
 pub struct NoAssets;
 

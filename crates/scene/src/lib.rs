@@ -32,6 +32,7 @@ mod mesh;
 mod places;
 mod read;
 mod report;
+mod texture;
 mod visible;
 mod write;
 
@@ -43,5 +44,6 @@ pub use mesh::{MeshData, is_mesh, read as read_mesh};
 pub use places::{Place, object_places};
 pub use read::read;
 pub use report::report;
+pub use texture::is_texture;
 pub use visible::{is_invisible, visible};
 pub use write::write;

@@ -12,6 +12,9 @@ fn problems_of(name: &str, text: &str) -> String {
         ("bad.obj".to_owned(), b"v 0 0 0\nv 1 0\nf 1 2 3\n".to_vec()),
         ("empty.obj".to_owned(), b"# nothing\n".to_vec()),
         ("scene.gltf".to_owned(), b"{}".to_vec()),
+        ("bad.png".to_owned(), b"\x89PNG\r\n\x1a\nnothing".to_vec()),
+        ("plain.obj".to_owned(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec()),
+        ("half.obj".to_owned(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2 3\n".to_vec()),
     ]);
     let problems = load::<Unchecked>(text, &files, Build::Bvh).unwrap_err();
     report(name, text, &problems)
@@ -34,6 +37,7 @@ broken! {
     slips_of_the_hand: "syntax.ron",
     files_and_sizes: "files.ron",
     a_file_cut_short: "cut-short.ron",
+    textures_that_are_none: "textures.ron",
     samplers_and_filters: "sampling.ron",
     numbers_of_samples_and_radii: "samples.ron",
     shares_and_indices: "mirrors.ron",

@@ -121,6 +121,20 @@ faults! {
     /// A torus' normal leads away from its center, not from its ring.
     TorusNormalFromCenter,
 
+    // Textures.
+    /// Texture coordinates go from right to left.
+    TextureUMirrored,
+    /// Texture coordinates go from top to bottom.
+    TextureVFlipped,
+    /// Texels have their corners where their middles should be.
+    TexelHalfShift,
+    /// A checkerboard's places are rounded towards zero.
+    CheckerTruncated,
+    /// A picture repeats, or ends, one texel too early.
+    WrapOffByOne,
+    /// A texture takes the place of the material's color.
+    TextureReplacesColor,
+
     // Which hit counts.
     /// A hit behind the ray's start counts.
     HitBehindTheEye,

@@ -4,69 +4,8 @@ use crate::accel::{Accelerator, Build, end_after};
 use crate::fault::{Fault, seeded};
 use crate::meter::{Event, Meter, Unmetered};
 use crate::plan::Candidates;
-use crate::shape::{Departure, Geometry, Shape};
-use crate::{Aabb, Hit, Interval, Material, ObjectId, Ray, Transform};
-
-/// A shape with what it is made of.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Object {
-    shape: Shape,
-    material: Material,
-    id: ObjectId,
-}
-
-impl Object {
-    /// An object; its number is given by the outermost group around it.
-    pub fn new(shape: Shape, material: Material) -> Self {
-        Self { shape, material, id: ObjectId::default() }
-    }
-
-    pub(crate) fn shape(&self) -> &Shape {
-        &self.shape
-    }
-
-    pub(crate) fn material(&self) -> &Material {
-        &self.material
-    }
-
-    /// See [`Group::meet`].
-    fn meet(
-        &self,
-        ray: &Ray,
-        range: Interval,
-        meter: &impl Meter,
-        hit: &mut Option<Hit>,
-    ) -> Option<f64> {
-        let contact = self.shape.meet(ray, range, self.departure(ray), meter)?;
-        let surface = self.shape.surface(ray, &contact);
-        *hit = Some(Hit {
-            t: contact.t,
-            point: surface.point,
-            point_error: surface.error,
-            geometric_normal: surface.geometric_normal,
-            shading_normal: surface.shading_normal,
-            material: self.material,
-            object: self.id,
-            part: contact.part,
-        });
-        Some(contact.t)
-    }
-
-    fn occluder(
-        &self,
-        ray: &Ray,
-        range: Interval,
-        only: Option<u32>,
-        meter: &impl Meter,
-    ) -> Option<u32> {
-        self.shape.occluder(ray, range, self.departure(ray), only, meter)
-    }
-
-    /// From where the ray leaves this object, if it does.
-    fn departure(&self, ray: &Ray) -> Option<Departure> {
-        ray.leaving.filter(|(object, _)| *object == self.id).map(|(_, from)| from)
-    }
-}
+use crate::shape::Geometry;
+use crate::{Aabb, Hit, Interval, Object, Ray, Transform};
 
 /// What a group holds: objects and other groups.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +19,7 @@ pub enum Member {
 impl Member {
     fn bounds(&self) -> Aabb {
         match self {
-            Self::Object(object) => object.shape.bounds(),
+            Self::Object(object) => object.shape().bounds(),
             Self::Group(group) => group.bounds,
         }
     }
@@ -88,7 +27,7 @@ impl Member {
     /// Whether a test of it takes no longer than one of eight boxes.
     fn is_quick(&self) -> bool {
         match self {
-            Self::Object(object) => object.shape.is_quick(),
+            Self::Object(object) => object.shape().is_quick(),
             Self::Group(_) => false,
         }
     }
@@ -322,7 +261,7 @@ impl Group {
         for (i, member) in self.members.iter().enumerate() {
             match member {
                 Member::Object(object) => {
-                    self.place(&object.shape.coarse_boxes(), 1.0, |boxes, placed| {
+                    self.place(&object.shape().coarse_boxes(), 1.0, |boxes, placed| {
                         visit(i, object, boxes, placed);
                     });
                 }
@@ -354,7 +293,7 @@ impl Group {
         for member in &mut self.members {
             match member {
                 Member::Object(object) => {
-                    object.id = ObjectId(next);
+                    object.set_number(next);
                     next += 1;
                 }
                 Member::Group(group) => next = group.number(next),

@@ -29,6 +29,9 @@ pub struct Hit {
     pub shading_normal: UnitVec,
     /// What the surface is made of.
     pub material: Material,
+    /// Which part of its texture was hit, if colors change at once from part to part,
+    /// as those of a checkerboard do; else 0.
+    pub texel: u32,
     /// Which object was hit.
     pub object: ObjectId,
     /// Which part of its shape; see [`crate::shape::Contact::part`].

@@ -124,6 +124,22 @@ impl Material {
         Ok(self)
     }
 
+    /// The same with its own color, the one that light is scattered in or that is
+    /// shown unlit, multiplied channel by channel: what a texture does. `Normal` has
+    /// none, and stays.
+    #[must_use]
+    pub fn tinted(self, by: Rgb) -> Self {
+        let tint = |color: Rgb| if seeded(Fault::TextureReplacesColor) { by } else { color * by };
+        match self {
+            Self::Constant(color) => Self::Constant(tint(color)),
+            Self::Normal => Self::Normal,
+            Self::Lambert { diffuse } => Self::Lambert { diffuse: tint(diffuse) },
+            Self::BlinnPhong { diffuse, specular, exponent } => {
+                Self::BlinnPhong { diffuse: tint(diffuse), specular, exponent }
+            }
+        }
+    }
+
     /// The color that the surface has by itself, before any light: what
     /// "surface color" shows. Of a mirror its reflectance, of glass its tint.
     pub fn surface_color(&self, n: UnitVec) -> Rgb {

@@ -204,6 +204,12 @@ pub(crate) fn tan(angle: f64) -> f64 {
     libm::tan(angle)
 }
 
+/// The angle of `(x, y)` from the x axis, in radians from -pi to pi, correct to
+/// below one unit in the last place.
+pub(crate) fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
 /// `e^x`, correct to below one unit in the last place.
 pub(crate) fn exp(x: f64) -> f64 {
     libm::exp(x)

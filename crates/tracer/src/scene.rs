@@ -52,6 +52,8 @@ pub(crate) struct Look {
     pub(crate) color: Rgb,
     /// Which object, and its normal there.
     pub(crate) surface: Option<(ObjectId, UnitVec)>,
+    /// Which part of its texture; see [`crate::Hit::texel`].
+    pub(crate) texel: u32,
     /// For each light, up to 64 of them, whether something is in its way. Of a
     /// surface that sends rays on a number that stands for that, and for all
     /// that they saw.
@@ -61,12 +63,18 @@ pub(crate) struct Look {
 impl Look {
     /// At the background.
     pub(crate) fn nothing(background: Rgb) -> Self {
-        Self { color: background, surface: None, shadows: 0 }
+        Self { color: background, surface: None, texel: 0, shadows: 0 }
     }
 
-    /// At a hit that shows this color, whatever the light.
+    /// At a hit that shows this color, whatever the light and the texture.
     fn flat(color: Rgb, hit: &Hit) -> Self {
-        Self { color, surface: Some((hit.object, hit.geometric_normal)), shadows: 0 }
+        Self { color, surface: Some((hit.object, hit.geometric_normal)), texel: 0, shadows: 0 }
+    }
+
+    /// At a hit that shows what this kind of picture shows.
+    fn shown(show: Show, color: Rgb, hit: &Hit) -> Self {
+        let texel = if show == Show::SurfaceColor { hit.texel } else { 0 };
+        Self { texel, ..Self::flat(color, hit) }
     }
 }
 
@@ -280,10 +288,10 @@ impl Scene {
             return Look::nothing(self.background());
         };
         match (show.color(ray, &hit), work.skips()) {
-            (Some(color), true) => Look::flat(color, &hit),
+            (Some(color), true) => Look::shown(*show, color, &hit),
             (shown, _) => {
                 let shaded = self.look(ray, &hit, self.bounces(), work);
-                shown.map_or(shaded, |color| Look::flat(color, &hit))
+                shown.map_or(shaded, |color| Look::shown(*show, color, &hit))
             }
         }
     }
@@ -296,6 +304,6 @@ impl Scene {
         } else {
             self.lighting().shade(ray, hit, work)
         };
-        Look { shadows, ..Look::flat(color, hit) }
+        Look { texel: hit.texel, shadows, ..Look::flat(color, hit) }
     }
 }

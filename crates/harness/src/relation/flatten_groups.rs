@@ -7,13 +7,13 @@ use tracer::glam::{DAffine3, DMat3, DVec3};
 
 use super::alike::few_roundings;
 use super::split_boxes::{is_thick, triangles};
-use super::{Alike, Broken, Problem, Relate, Today, problem_if, problem_of_error};
+use super::{Alike, Broken, Problem, Relate, Today, objects, problem_if, problem_of_error};
 use crate::check::File;
 
 /// The picture stays when shapes are taken out of their groups and put where
 /// these would: triangles and planes out of any, boxes too, as their triangles,
 /// and all others out of groups that keep their form. What stays has a group of
-/// its own.
+/// its own, as has what is textured: its texture lies in the group's space.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FlattenGroups {
@@ -30,7 +30,7 @@ impl FlattenGroups {
     /// The scene without groups where they can be done without, and how many
     /// shapes were taken out.
     pub(super) fn related(file: &File) -> (File, usize) {
-        let mut flat = Flat { objects: Vec::new(), taken_out: 0 };
+        let mut flat = Flat { file, objects: Vec::new(), taken_out: 0 };
         flat.add_all(&file.objects, None);
         (File { objects: flat.objects, ..file.clone() }, flat.taken_out)
     }
@@ -71,12 +71,13 @@ struct Place {
     material: Option<Material>,
 }
 
-struct Flat {
+struct Flat<'a> {
+    file: &'a File,
     objects: Vec<Object>,
     taken_out: usize,
 }
 
-impl Flat {
+impl Flat<'_> {
     /// Adds what is in a group, or in none.
     fn add_all(&mut self, objects: &[Object], group: Option<&Place>) {
         for object in objects {
@@ -100,7 +101,8 @@ impl Flat {
             return;
         };
         let map = steps.iter().fold(DAffine3::IDENTITY, |map, step| affine(step) * map);
-        if let Some(there) = put(&shape, map) {
+        let is_textured = objects::is_textured(self.file, shape.material());
+        if let Some(there) = put(&shape, map).filter(|_| !is_textured) {
             self.objects.extend(there);
             self.taken_out += 1;
         } else {

@@ -73,11 +73,15 @@ impl Motion {
         (sign < 0.0) != swaps
     }
 
+    fn is_translation(&self) -> bool {
+        self.from == [0, 1, 2] && self.sign == [1.0; 3] && self.scale == 1.0
+    }
+
     /// The scene with its lights and its camera moved together.
     pub(super) fn file(&self, file: &File) -> File {
         let mut moved = file.clone();
         moved.camera = self.camera(file.camera);
-        moved.objects = file.objects.iter().map(|object| self.object(object)).collect();
+        moved.objects = file.objects.iter().map(|object| self.object(file, object)).collect();
         let falls_off = file.shading != Shading::Classic;
         moved.lights = file.lights.iter().map(|light| self.light(light, falls_off)).collect();
         match &mut moved.show {
@@ -207,9 +211,19 @@ impl Motion {
         moved
     }
 
-    fn object(&self, object: &Object) -> Object {
+    fn object(&self, file: &File, object: &Object) -> Object {
         let mut moved = object.clone();
+        let in_group = |moved: Object| {
+            let (transform, objects) = (vec![self.step], vec![moved]);
+            Object::Group { transform, objects, material: None }
+        };
         match &mut moved {
+            // A texture stays with a center or a point, but does not turn or grow.
+            Object::Sphere { material, .. } | Object::Plane { material, .. }
+                if !self.is_translation() && objects::is_textured(file, material.as_ref()) =>
+            {
+                return in_group(moved);
+            }
             Object::Sphere { center, radius, .. } => {
                 (*center, *radius) = (self.point(*center), self.length(*radius));
             }
@@ -243,10 +257,7 @@ impl Motion {
             }
             Object::Group { transform, .. } => transform.push(self.step),
             // Its file stays as it is.
-            Object::Mesh { .. } => {
-                let (transform, objects) = (vec![self.step], vec![moved]);
-                return Object::Group { transform, objects, material: None };
-            }
+            Object::Mesh { .. } => return in_group(moved),
         }
         moved
     }

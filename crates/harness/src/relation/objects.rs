@@ -27,6 +27,13 @@ pub(super) fn replaced(objects: Vec<Object>, by: &impl Fn(Object) -> Vec<Object>
     objects.into_iter().flat_map(replace).collect()
 }
 
+/// Whether a material has a texture, whose coordinates are of the object's own
+/// space.
+pub(super) fn is_textured(file: &File, material: Option<&Material>) -> bool {
+    let found = material.and_then(|material| file.resolved(material));
+    found.is_some_and(|material| material.texture().is_some())
+}
+
 /// Whether any surface may show its normal as a color.
 pub(super) fn any_shows_normals(file: &File) -> bool {
     let is_normal = |material: &Material| matches!(material, Material::Normal);

@@ -9,6 +9,7 @@ use tracer::{Rgb, Size};
 use super::*;
 
 mod sense;
+mod textured;
 
 /// Nothing in it is its own image in any way: each shape, groups in groups,
 /// lights of each kind, shadows, a camera that looks from nowhere special.

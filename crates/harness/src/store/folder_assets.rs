@@ -1,4 +1,4 @@
-//! `FolderAssets`: the meshes beside a scene file.
+//! `FolderAssets`: the meshes and textures beside a scene file.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use scene::{Assets, MAX_ASSET_BYTES};
 use super::{read, real_path};
 use crate::lfs::pointer_problem;
 
-/// The meshes of a scene: files in its own folder or below, links included
+/// The meshes and textures of a scene: files in its own folder or below, links included
 /// only where they stay there.
 #[derive(Debug, Clone)]
 pub struct FolderAssets {
@@ -50,7 +50,8 @@ impl Assets for FolderAssets {
             Ok(bytes) => bytes.ok_or_else(missing)?,
             Err(error) => return Err(format!("cannot be read: {}", error.what)),
         };
-        match pointer_problem(&bytes, "mesh") {
+        let thing = if scene::is_texture(path) { "texture" } else { "mesh" };
+        match pointer_problem(&bytes, thing) {
             None => Ok(bytes),
             Some(problem) => Err(problem),
         }

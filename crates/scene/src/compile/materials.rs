@@ -1,26 +1,36 @@
 //! Materials by name, each followed to what it really is.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
-use tracer::{Convention, Material, Rgb};
+use tracer::{Convention, Material, Rgb, Texture};
 
+use super::textures::Textures;
 use super::{Findings, Path};
 use crate::{format, nearest};
 
 /// The file's materials by name; `None` for one that has a finding.
-pub(super) type Materials = BTreeMap<String, Option<Material>>;
+pub(super) type Materials = BTreeMap<String, Option<Surface>>;
+
+/// What an object is made of: a material, and what its color is multiplied by.
+#[derive(Debug, Clone)]
+pub(super) struct Surface {
+    pub(super) material: Material,
+    pub(super) texture: Option<Arc<Texture>>,
+}
 
 /// Follows every name to its material.
 pub(super) fn resolve(
     written: &BTreeMap<String, format::Material>,
     convention: Convention,
+    textures: &mut Textures<'_>,
     findings: &mut Findings,
 ) -> Materials {
     let root = Path::root().field("materials");
     let resolve = |(name, material): (&String, &format::Material)| {
         let path = root.key(name);
         let resolved = match follow(name, material, written) {
-            Ok(material) => in_place(material, convention, &path, findings),
+            Ok(material) => in_place(material, convention, textures, &path, findings),
             Err(Dangling::Unknown(missing)) => {
                 unknown(&missing, written.keys(), &path, findings);
                 None
@@ -41,18 +51,19 @@ pub(super) fn of_object(
     written: &format::Material,
     materials: &Materials,
     convention: Convention,
+    textures: &mut Textures<'_>,
     path: &Path,
     findings: &mut Findings,
-) -> Option<Material> {
+) -> Option<Surface> {
     match written {
         format::Material::Named(name) => {
             let found = materials.get(name);
             if found.is_none() {
                 unknown(name, materials.keys(), path, findings);
             }
-            found.copied().flatten()
+            found.cloned().flatten()
         }
-        in_file => in_place(in_file, convention, path, findings),
+        in_file => in_place(in_file, convention, textures, path, findings),
     }
 }
 
@@ -88,19 +99,21 @@ fn follow<'a>(
 fn in_place(
     written: &format::Material,
     convention: Convention,
+    textures: &mut Textures<'_>,
     path: &Path,
     findings: &mut Findings,
-) -> Option<Material> {
-    let diffuse_or_default =
-        |diffuse: Option<_>| diffuse.map_or(convention.default_diffuse(), Rgb::from);
+) -> Option<Surface> {
+    let has_texture = written.texture().is_some();
+    let default = if has_texture { Rgb::WHITE } else { convention.default_diffuse() };
+    let diffuse_or_default = |diffuse: Option<_>| diffuse.map_or(default, Rgb::from);
     let material = match *written {
         format::Material::Named(_) => return None,
-        format::Material::Constant { color } => Material::Constant(Rgb::from(color)),
+        format::Material::Constant { color, .. } => Material::Constant(Rgb::from(color)),
         format::Material::Normal => Material::Normal,
-        format::Material::Lambert { diffuse } => {
+        format::Material::Lambert { diffuse, .. } => {
             Material::Lambert { diffuse: diffuse_or_default(diffuse) }
         }
-        format::Material::BlinnPhong { diffuse, specular, exponent } => Material::BlinnPhong {
+        format::Material::BlinnPhong { diffuse, specular, exponent, .. } => Material::BlinnPhong {
             diffuse: diffuse_or_default(diffuse),
             specular: Rgb::from(specular),
             exponent,
@@ -138,7 +151,12 @@ fn in_place(
             }
         }
     };
-    findings.accept(path, material.checked())
+    let material = findings.accept(path, material.checked());
+    let texture = match written.texture() {
+        None => None,
+        Some(written) => Some(textures.make(written, &path.field("texture"), findings)?),
+    };
+    Some(Surface { material: material?, texture })
 }
 
 fn unknown<'a>(

@@ -6,6 +6,7 @@
 
 mod materials;
 mod objects;
+mod textures;
 
 use tracer::accel::Build;
 use tracer::glam::DVec3;
@@ -17,6 +18,7 @@ use tracer::{
 use crate::format::{self, SceneFile, Shading, VERSION};
 use crate::{Assets, Step};
 use objects::Objects;
+use textures::Textures;
 
 /// Something that makes no sense, by its path in the file.
 #[derive(Debug)]
@@ -104,8 +106,9 @@ pub(crate) fn compile<C>(
         findings.accept(&root.field("lights").index(i), light(written, convention))
     });
     let lights = lights.collect();
-    let materials = materials::resolve(&file.materials, convention, &mut findings);
-    let world = Objects { assets, build, materials, convention, findings: &mut findings }
+    let mut textures = Textures::new(assets);
+    let materials = materials::resolve(&file.materials, convention, &mut textures, &mut findings);
+    let world = Objects { assets, build, materials, textures, convention, findings: &mut findings }
         .all(&root.field("objects"), &file.objects);
     let camera = findings.accept(&root.field("camera"), camera(&file.camera, file.image));
     let samples = Samples::new(file.sampler.into(), file.samples_per_pixel);

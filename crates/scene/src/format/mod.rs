@@ -16,12 +16,14 @@ mod light;
 mod material;
 mod object;
 mod sampling;
+mod texture;
 
 pub use camera::Camera;
 pub use light::{Falloff, Light};
 pub use material::Material;
 pub use object::{Object, Transform};
 pub use sampling::{Filter, Sampler};
+pub use texture::{Pair, TexelEncoding, TexelFilter, Texture, Wrap};
 
 use std::collections::BTreeMap;
 
@@ -144,6 +146,20 @@ impl<Check> SceneFile<Check> {
             encoding,
             check: None,
         }
+    }
+
+    /// What a material really is: the one that its name leads to, or itself; `None`
+    /// for a name that leads to none.
+    pub fn resolved<'a>(&'a self, material: &'a Material) -> Option<&'a Material> {
+        let mut found = material;
+        // Longer ways are circles.
+        for _ in 0..=self.materials.len() {
+            match found {
+                Material::Named(name) => found = self.materials.get(name)?,
+                in_place => return Some(in_place),
+            }
+        }
+        None
     }
 }
 

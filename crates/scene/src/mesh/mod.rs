@@ -1,10 +1,10 @@
-//! Mesh files: bytes to corners, triangles and normals.
+//! Mesh files: bytes to corners, triangles, normals and texture coordinates.
 
 mod obj;
 mod ply;
 
 use tracer::glam::DVec3;
-use tracer::shape::MeshNormals;
+use tracer::shape::{MeshNormals, MeshUvs};
 
 /// What a mesh file holds; indices are checked by the tracer.
 #[derive(Debug, Clone)]
@@ -15,6 +15,9 @@ pub struct MeshData {
     pub faces: Vec<[u32; 3]>,
     /// Normals at the triangles' corners, if it has them.
     pub normals: Option<MeshNormals>,
+    /// Texture coordinates, or why there are none, as the middle of a sentence that
+    /// starts with the file's name.
+    pub uvs: Result<MeshUvs, String>,
 }
 
 /// Whether a file's name is that of a mesh.

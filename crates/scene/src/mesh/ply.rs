@@ -4,11 +4,12 @@
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{DefaultElement, Property};
 use tracer::glam::DVec3;
-use tracer::shape::MeshNormals;
+use tracer::shape::{MeshNormals, MeshUvs};
 
 use super::MeshData;
 
-/// A vertex has `x`, `y`, `z` and may have `nx`, `ny`, `nz`; a face has a list
+/// A vertex has `x`, `y`, `z` and may have `nx`, `ny`, `nz` and texture coordinates
+/// by one of the names in [`UVS`]; a face has a list
 /// `vertex_indices` (or `vertex_index`) and is cut into triangles as a fan.
 pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
     let parser = Parser::<DefaultElement>::new();
@@ -32,7 +33,11 @@ pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
     };
     let (vertices, faces) = (elements("vertex")?, elements("face")?);
 
-    let mut mesh = MeshData { vertices: Vec::new(), faces: Vec::new(), normals: None };
+    let uvs = UVS.into_iter().find_map(|names| {
+        vertices.iter().map(|v| numbers(v, names)).collect::<Option<Vec<[f64; 2]>>>()
+    });
+    let mut mesh =
+        MeshData { vertices: Vec::new(), faces: Vec::new(), normals: None, uvs: Err(no_uvs()) };
     for vertex in vertices {
         let position = triple(vertex, ["x", "y", "z"])
             .ok_or("has a vertex without the numbers `x`, `y` and `z`")?;
@@ -55,6 +60,9 @@ pub(super) fn read(mut bytes: &[u8]) -> Result<MeshData, String> {
     }
     let normals: Option<Vec<_>> = vertices.iter().map(|v| triple(v, ["nx", "ny", "nz"])).collect();
     mesh.normals = normals.map(|normals| MeshNormals { normals, faces: mesh.faces.clone() });
+    if let Some(uvs) = uvs {
+        mesh.uvs = Ok(MeshUvs { uvs, faces: mesh.faces.clone() });
+    }
     Ok(mesh)
 }
 
@@ -65,9 +73,27 @@ fn unreadable(error: &impl std::fmt::Display) -> String {
     format!("is not a readable PLY file: {first}")
 }
 
+/// The names of a vertex's `u` and `v`, as programs write them.
+const UVS: [[&str; 2]; 4] =
+    [["s", "t"], ["u", "v"], ["texture_u", "texture_v"], ["texture_s", "texture_t"]];
+
+/// Why a file has no texture coordinates.
+fn no_uvs() -> String {
+    let names = UVS.map(|[u, v]| format!("`{u}` and `{v}`"));
+    format!("has vertices without texture coordinates ({})", names.join(", "))
+}
+
 fn triple(element: &DefaultElement, names: [&str; 3]) -> Option<DVec3> {
-    let [x, y, z] = names.map(|name| element.get(name).and_then(number));
-    Some(DVec3::new(x?, y?, z?))
+    numbers(element, names).map(DVec3::from_array)
+}
+
+/// Numbers of an element by their names.
+fn numbers<const N: usize>(element: &DefaultElement, names: [&str; N]) -> Option<[f64; N]> {
+    let mut found = [0.0; N];
+    for (found, name) in found.iter_mut().zip(names) {
+        *found = number(element.get(name)?)?;
+    }
+    Some(found)
 }
 
 fn number(property: &Property) -> Option<f64> {

@@ -74,6 +74,41 @@ fn normals_follow_their_objects_and_count_only_where_all_faces_have_them() {
     assert_eq!(read("a.ply", other_name.as_bytes()).unwrap().faces.len(), 2);
 }
 
+#[test]
+fn texture_coordinates_count_only_where_all_corners_have_them() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0.5\nvt -2 3 0\n";
+    let one = format!("{corners}f 1/3 2/1 3/2\n");
+    let uvs = read("a.obj", one.as_bytes()).unwrap().uvs.unwrap();
+    assert_eq!(uvs.faces[0].map(|i| uvs.uvs[i as usize]), [[-2.0, 3.0], [0.0, 0.0], [1.0, 0.5]]);
+    // The second object's own indices, with normals beside them.
+    let two = format!("o a\n{one}o b\n{corners}vn 0 0 1\nf 4/4/1 5/5/1 6/6/1\n");
+    let uvs = read("a.obj", two.as_bytes()).unwrap().uvs.unwrap();
+    assert_eq!(uvs.faces[1].map(|i| uvs.uvs[i as usize]), [[0.0, 0.0], [1.0, 0.5], [-2.0, 3.0]]);
+    for partial in ["f 1/1 2/2 3\n", "f 1//1 2//1 3//1\n", "f 1 2 3\nf 1/1 2/2 3/3\n"] {
+        let why = read("a.obj", format!("{corners}vn 0 0 1\n{partial}").as_bytes()).unwrap().uvs;
+        assert!(why.unwrap_err().contains("but not at every corner"), "{partial}");
+    }
+    assert!(read("a.obj", SQUARE_OBJ.as_bytes()).unwrap().uvs.unwrap_err().contains("no texture"));
+}
+
+#[test]
+fn texture_coordinates_of_vertices_by_every_name() {
+    let with = |names: [&str; 2]| {
+        let [u, v] = names.map(|name| format!("property float {name}\n"));
+        let text = SQUARE_PLY.replace("property float z\n", &format!("property float z\n{u}{v}"));
+        text.replace("0 0 0\n1 0 0\n1 1 0\n0 1 0\n", "0 0 0 0 0\n1 0 0 2 0\n1 1 0 2 1\n0 1 0 0 1\n")
+    };
+    for names in [["s", "t"], ["u", "v"], ["texture_u", "texture_v"], ["texture_s", "texture_t"]] {
+        let mesh = read("a.ply", with(names).as_bytes()).unwrap();
+        let uvs = mesh.uvs.unwrap();
+        assert_eq!((uvs.uvs[2], uvs.faces), ([2.0, 1.0], mesh.faces), "{names:?}");
+    }
+    for text in [with(["s", "v"]), SQUARE_PLY.to_owned()] {
+        let why = read("a.ply", text.as_bytes()).unwrap().uvs.unwrap_err();
+        assert!(why.contains("without texture coordinates (`s` and `t`"), "{why}");
+    }
+}
+
 #[track_caller]
 fn check_error(name: &str, text: &str, expected: &str) {
     let error = read(name, text.as_bytes()).unwrap_err();

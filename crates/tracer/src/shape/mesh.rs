@@ -8,6 +8,7 @@ mod packet;
 mod precision;
 mod sight;
 mod trace;
+mod uvs;
 mod visit;
 mod winners;
 
@@ -32,6 +33,15 @@ pub struct MeshNormals {
     pub faces: Vec<[u32; 3]>,
 }
 
+/// Texture coordinates at the corners of a mesh's triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshUvs {
+    /// The pairs `(u, v)`.
+    pub uvs: Vec<[f64; 2]>,
+    /// For each triangle, the index of the pair at each of its corners.
+    pub faces: Vec<[u32; 3]>,
+}
+
 /// A mesh of triangles. One without an area is kept among others, so that
 /// numbers stay the file's, and is never hit.
 ///
@@ -48,6 +58,7 @@ pub struct Mesh {
     /// its lane; [`NOBODY`] for one without an area.
     places: Vec<u32>,
     normals: Option<MeshNormals>,
+    uvs: Option<MeshUvs>,
     bounds: Aabb,
     /// The middle of the bounds, and how far they go from there along an axis at
     /// most.
@@ -84,7 +95,7 @@ impl Mesh {
         self.places.len()
     }
 
-    /// How many bytes it takes, normals not counted: its triangles, and what
+    /// How many bytes it takes, normals and texture coordinates not counted: its triangles, and what
     /// finds them.
     pub fn bytes(&self) -> usize {
         let order = if let Order::Wide(wide) = &self.order { wide.bytes() } else { 0 };
@@ -167,6 +178,10 @@ impl Geometry for Mesh {
             shading_normal: self.interpolated_normal(contact).unwrap_or(normal),
             ..triangle::surface(corners, normal, contact)
         }
+    }
+
+    fn uv(&self, contact: &Contact, _: &SurfacePoint) -> Option<[f64; 2]> {
+        self.interpolated_uv(contact)
     }
 
     fn occludes(&self, ray: &Ray, range: Interval) -> bool {

@@ -20,7 +20,7 @@ pub use axis_box::AxisBox;
 pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use disk::Disk;
-pub use mesh::{Mesh, MeshNormals};
+pub use mesh::{Mesh, MeshNormals, MeshUvs};
 pub use plane::Plane;
 pub use sphere::Sphere;
 pub use torus::Torus;
@@ -108,6 +108,13 @@ pub trait Geometry {
     /// ray.
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint;
 
+    /// The texture coordinates `(u, v)` of a contact with its surface point; `None`
+    /// for shapes that have none. They are finite.
+    fn uv(&self, contact: &Contact, surface: &SurfacePoint) -> Option<[f64; 2]> {
+        let _ = (contact, surface);
+        None
+    }
+
     /// Whether anything is hit inside `range`: what a shadow ray asks.
     fn occludes(&self, ray: &Ray, range: Interval) -> bool {
         self.intersect(ray, range).is_some()
@@ -133,6 +140,11 @@ trait Formulas {
     fn meet(&self, ray: &Ray, range: Interval, from: Option<Departure>) -> Option<Contact>;
     /// [`Geometry::surface`].
     fn surface_at(&self, ray: &Ray, contact: &Contact) -> SurfacePoint;
+    /// [`Geometry::uv`].
+    fn uv_at(&self, surface: &SurfacePoint) -> Option<[f64; 2]> {
+        let _ = surface;
+        None
+    }
 }
 
 impl<F: Formulas> Geometry for F {
@@ -151,6 +163,9 @@ impl<F: Formulas> Geometry for F {
     }
     fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
         fused::<Surface, _, _, _, _>(self, ray, contact, ())
+    }
+    fn uv(&self, _: &Contact, surface: &SurfacePoint) -> Option<[f64; 2]> {
+        self.uv_at(surface)
     }
 }
 
@@ -197,6 +212,9 @@ macro_rules! shapes {
             }
             fn surface(&self, ray: &Ray, contact: &Contact) -> SurfacePoint {
                 match self { $(Self::$name(shape) => shape.surface(ray, contact),)* }
+            }
+            fn uv(&self, contact: &Contact, surface: &SurfacePoint) -> Option<[f64; 2]> {
+                match self { $(Self::$name(shape) => shape.uv(contact, surface),)* }
             }
             fn occludes(&self, ray: &Ray, range: Interval) -> bool {
                 match self { $(Self::$name(shape) => shape.occludes(ray, range),)* }
@@ -257,6 +275,25 @@ impl Shape {
             (shape, Some(from)) => shape.occludes_leaving(ray, range, from),
         };
         is_met.then_some(0)
+    }
+
+    /// Whether it has texture coordinates.
+    pub fn has_uv(&self) -> bool {
+        match self {
+            Self::Sphere(_) | Self::Plane(_) => true,
+            Self::Mesh(mesh) => mesh.has_uv(),
+            Self::Triangle(_)
+            | Self::AxisBox(_)
+            | Self::Disk(_)
+            | Self::Cylinder(_)
+            | Self::Cone(_)
+            | Self::Torus(_) => false,
+        }
+    }
+
+    /// What it is, for messages.
+    pub(crate) fn words(&self) -> &'static str {
+        self.event().primitive().map_or("a mesh without them", |(one, _)| one)
     }
 
     /// Whether a test of it takes but a few nanoseconds.

@@ -47,6 +47,20 @@ impl Plane {
         self.across
     }
 
+    /// The directions of `u` and `v`, of unit length, so that `u x v` is the normal `n`.
+    ///
+    /// On a wall, `u` is level, `y x n`, and `v` leads up. Where the normal's y is its
+    /// largest component, `u` is the x axis laid into the plane, and `v` follows: on
+    /// a floor it leads along `-z`.
+    fn tangents(&self) -> [DVec3; 2] {
+        let n = *self.normal;
+        let is_floor = n.y.abs() > n.x.abs().max(n.z.abs());
+        let u = if is_floor { DVec3::X - n.x * n } else { DVec3::new(n.z, 0.0, -n.x) };
+        // Neither is shorter than a half.
+        let u = UnitVec::new(u).map_or(DVec3::X, |u| *u);
+        [u, n.cross(u)]
+    }
+
     /// Which `t` puts the ray on the plane: `t = (a - p).n / d.n`, where
     /// neither product loses digits, however flat the ray. Infinite or NaN
     /// for a ray along the plane and NaN for an infinite direction, which no
@@ -91,6 +105,13 @@ impl Formulas for Plane {
             geometric_normal: self.normal,
             shading_normal: self.normal,
         }
+    }
+
+    /// Lengths along two directions in the plane, from its point: see
+    /// [`Plane::tangents`].
+    fn uv_at(&self, surface: &SurfacePoint) -> Option<[f64; 2]> {
+        let from_point = surface.point - self.point;
+        Some(self.tangents().map(|tangent| from_point.dot(tangent)))
     }
 }
 

@@ -49,15 +49,15 @@ pub(super) fn beside((i, j): (u32, u32), (right, up): (i32, i32)) -> Option<(u32
     Some((i.checked_add_signed(right)?, j.checked_add_signed(up)?))
 }
 
-/// Whether both see the same object, from about the same side, in the same
-/// shadows, and the same so in mirrors and through glass.
+/// Whether both see the same object and part of its texture, from about the same
+/// side, in the same shadows, and the same so in mirrors and through glass.
 pub(super) fn is_alike(one: &Look, other: &Look) -> bool {
     let same_surface = match (one.surface, other.surface) {
         (None, None) => true,
         (Some((object, n)), Some((other, m))) => object == other && n.dot(*m) > ALIKE,
         _ => false,
     };
-    same_surface && one.shadows == other.shadows
+    same_surface && one.texel == other.texel && one.shadows == other.shadows
 }
 
 /// The largest difference of any channel.

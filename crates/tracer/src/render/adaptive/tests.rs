@@ -10,6 +10,8 @@ use crate::{
     Samples, SceneParts, Show, Skipping, Stats, View, render, render_counted,
 };
 
+mod textured;
+
 /// A white thing on black, seen along z: a pixel is a unit.
 fn silhouette(shape: Shape, samples: u32, error: Option<f64>) -> Scene {
     let view = View {

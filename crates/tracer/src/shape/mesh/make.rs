@@ -169,7 +169,7 @@ impl Mesh {
         let places = places(&blocks, faces.len());
         let middle = bounds.center();
         let half = max_abs(bounds.max - middle).max(max_abs(middle - bounds.min));
-        Ok(Self { blocks, places, normals, bounds, middle, half, order, is_fast, level })
+        Ok(Self { blocks, places, normals, uvs: None, bounds, middle, half, order, is_fast, level })
     }
 }
 

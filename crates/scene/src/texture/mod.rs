@@ -1,0 +1,38 @@
+//! Texture files: bytes of a PNG to texels of linear values.
+
+mod levels;
+mod png;
+
+use tracer::texture::Texels;
+
+use crate::format::TexelEncoding;
+
+/// Whether a file's name is one that a scene may name as a texture.
+pub fn is_texture(path: &str) -> bool {
+    check_ending(path).is_ok()
+}
+
+/// Whether a file's name is that of a texture.
+///
+/// # Errors
+/// What is wrong, as the end of a sentence that starts with the file's name.
+pub(crate) fn check_ending(path: &str) -> Result<(), String> {
+    let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
+    if ending.eq_ignore_ascii_case("png") {
+        return Ok(());
+    }
+    Err("is no PNG file by its name: expected one that ends in .png".to_owned())
+}
+
+/// Reads a texture whose codes are stored like this.
+///
+/// # Errors
+/// What is wrong, as the end of a sentence that starts with the file's name.
+pub(crate) fn read(bytes: &[u8], encoding: TexelEncoding) -> Result<Texels, String> {
+    let png::Picture { size, codes, is_deep } = png::read(bytes)?;
+    let levels = levels::levels(encoding, if is_deep { u16::MAX } else { u8::MAX.into() });
+    Texels::new(size, codes, levels).map_err(|refused| format!("makes no texture: {refused}"))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,71 @@
+//! Edges inside a texture, which are no edges of an object.
+
+use std::sync::Arc;
+
+use super::*;
+use crate::shape::Plane;
+use crate::texture::{Checker, Image, Pattern, TexelFilter, Texels, Wrap};
+use crate::{Texture, Transform, accel::Build};
+
+/// The shape under this texture, turned by so many degrees about the line of
+/// sight, in a picture where a pixel is a unit.
+fn textured(shape: Shape, texture: &Arc<Texture>, turn_deg: f64) -> Scene {
+    let object = Object::textured(shape, Material::Constant(Rgb::WHITE), Arc::clone(texture));
+    let turn = Transform::rotation_deg(dvec3(0.0, 0.0, turn_deg)).unwrap();
+    let world = Group::new(turn, vec![Member::Object(object.unwrap())], Build::Bvh);
+    let plain = silhouette(ball(), 1, None);
+    Scene::new(SceneParts { world, show: Show::Shaded, ..plain.parts().clone() }).unwrap()
+}
+
+fn checker(scale: [f64; 2]) -> Arc<Texture> {
+    let checker = Checker::new([Rgb::new(1.0, 0.7, 0.2), Rgb::new(0.0, 0.1, 0.9)]).unwrap();
+    Arc::new(Texture::new(Pattern::Checker(checker), scale, [0.37, 0.19]).unwrap())
+}
+
+/// Steps of a tenth to the right, each as wide as a pixel, so that the middles of
+/// pixels lie on a straight line.
+fn stairs(filter: TexelFilter) -> Arc<Texture> {
+    let codes = (0..11).map(|code| [code; 3]).collect();
+    let levels = (0..11).map(|code| f64::from(code) / 10.0).collect();
+    let texels = Texels::new(Size { width: 11, height: 1 }, codes, levels).unwrap();
+    let image = Image::new(Arc::new(texels), filter, Wrap::Repeat);
+    Arc::new(Texture::new(Pattern::Image(image), [1.0 / 11.0, 1.0], [0.01, 0.0]).unwrap())
+}
+
+#[track_caller]
+fn check(scene: &Scene, asked: f64) {
+    let (found, stats) = counted(&scene.with_error(asked).unwrap());
+    let (exact, all) = counted(&scene.with_samples(Samples::grid(4096).unwrap()).unwrap());
+    let pairs = found.pixels().iter().zip(exact.pixels());
+    let squares = pairs.map(|(a, b)| contrast(*a, *b) * contrast(*a, *b));
+    let error = (squares.sum::<f64>() / f64::from(SIZE.width * SIZE.height)).sqrt();
+    assert!(error <= asked, "{error} for {asked}");
+    assert!(3 * stats.get(Event::EyeRay) < all.get(Event::EyeRay));
+}
+
+fn wall() -> Shape {
+    Plane::new(DVec3::ZERO, DVec3::Z).unwrap().into()
+}
+
+#[test]
+fn a_checkerboard_is_as_exact_as_asked_for() {
+    for turn_deg in [0.0, 1.0, 17.0, 45.0] {
+        for squares in [0.11, 0.23] {
+            check(&textured(wall(), &checker([squares, squares]), turn_deg), 1e-3);
+        }
+    }
+    check(&textured(wall(), &checker([0.2, 0.2]), 17.0), 1e-2);
+}
+
+#[test]
+fn so_is_one_on_a_ball() {
+    check(&textured(ball(), &checker([8.0, 4.0]), 20.0), 1e-3);
+}
+
+#[test]
+fn so_are_texels() {
+    for filter in [TexelFilter::Nearest, TexelFilter::Bilinear] {
+        check(&textured(wall(), &stairs(filter), 0.0), 1e-3);
+        check(&textured(wall(), &stairs(filter), 10.0), 1e-3);
+    }
+}
