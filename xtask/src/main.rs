@@ -53,6 +53,8 @@ enum Verb {
     List(verb::list::Args),
     /// Render a scene file or a fixture into a picture file
     Render(verb::render::Args),
+    /// Write a scene in the language of another renderer
+    Export(verb::export::Args),
     /// Compare two picture files by every metric
     Compare(verb::compare::Args),
     /// Draw all goldens on one sheet
@@ -94,6 +96,7 @@ fn main() -> ExitCode {
         Verb::Minimize(args) => verb::minimize::run(&here, &args),
         Verb::List(args) => verb::list::run(&here, &args),
         Verb::Render(args) => verb::render::run(&here, &args),
+        Verb::Export(args) => verb::export::run(&here, &args),
         Verb::Compare(args) => verb::compare::run(&args),
         Verb::ContactSheet(args) => verb::contact_sheet::run(&here, &args),
         Verb::Meshes => verb::meshes::run(&here),

@@ -9,6 +9,7 @@ pub(crate) mod completions;
 pub(crate) mod contact_sheet;
 pub(crate) mod digest;
 pub(crate) mod elsewhere;
+pub(crate) mod export;
 pub(crate) mod lint;
 pub(crate) mod list;
 pub(crate) mod meshes;

@@ -2,7 +2,12 @@
 //!
 //! To add a dialect: write its file, and add its line to [`Dialect`].
 
+mod cornell;
 mod mitsuba;
+mod nff;
+mod obj;
+mod own;
+mod pbrt;
 mod plain;
 mod povray;
 mod text;
@@ -85,6 +90,8 @@ pub struct Exported {
     /// `grid` by `grid` pixels is then one, their mean. 1 where there is nothing
     /// to do.
     pub grid: u32,
+    /// What the files do not say, and whoever renders them must be told besides.
+    pub beside: BTreeSet<Feature>,
 }
 
 /// Why a scene is not written.
@@ -118,10 +125,19 @@ pub fn export(
     scene: &SceneFile<Unchecked>,
     assets: &dyn Assets,
 ) -> Result<Exported, NotWritten> {
-    let plain = || Plain::new(scene, assets).map_err(NotWritten::Bad);
-    match dialect {
-        Dialect::PovRay => povray::write(&plain()?).map_err(NotWritten::Cannot),
-        Dialect::Mitsuba => mitsuba::write(&plain()?).map_err(NotWritten::Cannot),
-        _ => Err(NotWritten::Cannot(crate::feature::features(scene))),
-    }
+    let write: fn(&Plain) -> Result<Exported, BTreeSet<Feature>> = match dialect {
+        Dialect::Ron => return own::ron(scene, assets).map_err(NotWritten::Bad),
+        Dialect::Json => return own::json(scene, assets).map_err(NotWritten::Bad),
+        Dialect::CornellXml => cornell::write,
+        Dialect::Nff => nff::write,
+        Dialect::PovRay => povray::write,
+        Dialect::Mitsuba => mitsuba::write,
+        Dialect::Pbrt => pbrt::write,
+        Dialect::Obj => obj::write,
+    };
+    let plain = Plain::new(scene, assets).map_err(NotWritten::Bad)?;
+    write(&plain).map_err(NotWritten::Cannot)
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,6 +3,8 @@
 //! To add a format: write its file with a function that makes an [`Imported`] of
 //! a [`Source`], and add its line to `READERS`.
 
+mod json;
+
 use scene::{Assets, SceneFile, Unchecked};
 
 /// A foreign file.
@@ -89,4 +91,4 @@ pub fn import(
 type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unreadable>>;
 
 /// Formats by the endings of their files' names, in lower case.
-const READERS: &[(&str, Reader)] = &[];
+const READERS: &[(&str, Reader)] = &[("json", json::read)];

@@ -26,10 +26,11 @@ pub(super) fn sensor(plain: &Plain) -> String {
             let middle = proj_distance * forward;
             let ahead = v.cross(*u);
             let fov_deg = 2.0 * libm::atan(0.5 * width / middle.dot(ahead)).to_degrees();
-            let mut own = format!("<string name=\"fov_axis\" value=\"x\"/>{}", float("fov", fov_deg));
+            let mut own =
+                format!("<string name=\"fov_axis\" value=\"x\"/>{}", float("fov", fov_deg));
             let (right, up) = (middle.dot(*u) / width, middle.dot(*v) / height);
-            // Where the axis meets the film, from its middle: to the right and down.
-            for (name, offset) in [("x", -right), ("y", up)] {
+            // Signs as measured on windows that lie to a side and above.
+            for (name, offset) in [("x", right), ("y", -up)] {
                 if offset.abs() > ROUNDING {
                     own += &float(&format!("principal_point_offset_{name}"), offset);
                 }

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 use scene::format::{Falloff, Shading, Triple};
 
 use super::Exported;
-use super::plain::{Lamp, Plain};
+use super::plain::{Lamp, Look, Plain};
 use super::text::{scaled, spaced, vector};
 use crate::Feature;
 use xml::{boolean, color, vector3};
@@ -54,6 +54,7 @@ const CAN: &[Feature] = &[
     Feature::HighlightFromBehind,
     Feature::Depth,
     Feature::Background,
+    Feature::Exposure,
     Feature::GridSamples,
 ];
 
@@ -66,21 +67,22 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     }
     plain.asks_only(&can)?;
     let mut files = BTreeMap::new();
-    let mut text = format!(
-        "<scene version=\"3.0.0\">\n{}{}",
-        integrator(plain),
-        camera::sensor(plain)
-    );
+    let mut text =
+        format!("<scene version=\"3.0.0\">\n{}{}", integrator(plain), camera::sensor(plain));
     for lamp in &plain.lamps {
         text += &emitter(plain, lamp);
     }
     for object in &plain.objects {
+        if object.is_flat_box() && matches!(object.look, Look::Normal(_)) {
+            // Of its two sides in one place either may be met.
+            return Err([Feature::Box, Feature::NormalMaterial].into());
+        }
         let look = look::look(plain, object);
         text += &shape::shape(&object.solid(plain), &look, &mut files);
     }
     text += "</scene>\n";
     files.insert(MAIN.to_owned(), text.into_bytes());
-    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid })
+    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside: BTreeSet::new() })
 }
 
 /// Mitsuba's own integrator asks one light for each sample, by chance: with more
@@ -104,7 +106,8 @@ fn integrator(plain: &Plain) -> String {
 fn emitter(plain: &Plain, lamp: &Lamp) -> String {
     // Mitsuba's surfaces have the factor 1/pi.
     let all = if plain.shading == Shading::Radiometric { 1.0 } else { PI };
-    let line = |kind: &str, inside: String| format!("<emitter type=\"{kind}\">{inside}</emitter>\n");
+    let line =
+        |kind: &str, inside: String| format!("<emitter type=\"{kind}\">{inside}</emitter>\n");
     match *lamp {
         Lamp::Point { position, intensity, falloff: Falloff::InverseSquare } => line(
             "point",

@@ -80,4 +80,3 @@ pub(super) fn numbered(number: usize) -> Look {
 pub(super) fn brightest([r, g, b]: Triple) -> f64 {
     r.max(g).max(b)
 }
-

@@ -12,13 +12,39 @@ use crate::export::text::vector;
 /// shape is, a mirror included: they point outwards still.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::export) enum Solid {
-    Sphere { center: DVec3, radius: f64 },
+    Sphere {
+        center: DVec3,
+        radius: f64,
+    },
     /// Seen as far as `reach` from the point.
-    Plane { point: DVec3, normal: DVec3, reach: f64 },
-    Disk { center: DVec3, normal: DVec3, radius: f64 },
-    Torus { center: DVec3, axis: DVec3, major_radius: f64, minor_radius: f64 },
-    Cylinder { a: DVec3, b: DVec3, radius: f64, open: bool },
-    Cone { apex: DVec3, base: DVec3, radius: f64, open: bool },
+    Plane {
+        point: DVec3,
+        normal: DVec3,
+        reach: f64,
+    },
+    Disk {
+        center: DVec3,
+        normal: DVec3,
+        radius: f64,
+    },
+    Torus {
+        center: DVec3,
+        axis: DVec3,
+        major_radius: f64,
+        minor_radius: f64,
+    },
+    Cylinder {
+        a: DVec3,
+        b: DVec3,
+        radius: f64,
+        open: bool,
+    },
+    Cone {
+        apex: DVec3,
+        base: DVec3,
+        radius: f64,
+        open: bool,
+    },
     Triangles(Triangles),
 }
 
@@ -59,12 +85,9 @@ impl Placed {
             Object::Cylinder { a, b, radius, open, .. } => {
                 Solid::Cylinder { a: point(a), b: point(b), radius: radius * scale, open }
             }
-            Object::Cone { apex, base, radius, open, .. } => Solid::Cone {
-                apex: point(apex),
-                base: point(base),
-                radius: radius * scale,
-                open,
-            },
+            Object::Cone { apex, base, radius, open, .. } => {
+                Solid::Cone { apex: point(apex), base: point(base), radius: radius * scale, open }
+            }
             Object::Triangle { a, b, c, .. } => {
                 let corners = [a, b, c].map(vector).to_vec();
                 Solid::Triangles(moved(m, corners, Vec::new(), vec![[0, 1, 2]]))
@@ -94,7 +117,12 @@ fn turned(m: DMat3, n: DVec3) -> DVec3 {
     turned.normalize_or_zero()
 }
 
-fn moved(m: DAffine3, corners: Vec<DVec3>, normals: Vec<DVec3>, mut faces: Vec<[u32; 3]>) -> Triangles {
+fn moved(
+    m: DAffine3,
+    corners: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    mut faces: Vec<[u32; 3]>,
+) -> Triangles {
     let corners = corners.into_iter().map(|p| m.transform_point3(p)).collect();
     let normals = normals.into_iter().map(|n| turned(m.matrix3, n)).collect();
     if m.matrix3.determinant() < 0.0 {
@@ -108,19 +136,21 @@ fn moved(m: DAffine3, corners: Vec<DVec3>, normals: Vec<DVec3>, mut faces: Vec<[
 /// The corners by the bits of their numbers, x first; the sides counter-clockwise
 /// from outside.
 fn of_box(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-    const SIDES: [[u32; 4]; 6] = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
+    const SIDES: [[u32; 4]; 6] =
+        [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
     let corner = |k: u32| {
         let pick = |axis: usize| if k >> axis & 1 == 1 { max[axis] } else { min[axis] };
         DVec3::new(pick(0), pick(1), pick(2))
     };
-    let faces = SIDES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    let flat = [min.x == max.x, min.y == max.y, min.z == max.z];
+    // Of two sides in one place there is one, and none without an area.
+    let is_there = |(k, _): &(usize, &[u32; 4])| match flat.iter().filter(|x| **x).count() {
+        0 => true,
+        1 => flat[k / 2] && k % 2 == 1,
+        _ => false,
+    };
+    let sides = SIDES.iter().enumerate().filter(is_there);
+    let faces = sides.flat_map(|(_, &[a, b, c, d])| [[a, b, c], [a, c, d]]);
     ((0..8).map(corner).collect(), faces.collect())
 }
 
@@ -158,13 +188,34 @@ fn of_mesh(mesh: &MeshData, flat: bool) -> Triangles {
     all
 }
 
+/// Half the side of a square that stands for a plane which is needed so far from
+/// its point: its rim is nowhere near.
+pub(in crate::export) fn half_of_plane(reach: f64) -> f64 {
+    const MARGIN: f64 = 2.0;
+    // A plane that nothing needs is there all the same.
+    if reach > 0.0 { MARGIN * reach } else { 1.0 }
+}
+
 impl Triangles {
+    /// A square that stands for a plane.
+    pub(in crate::export) fn square(point: DVec3, normal: DVec3, reach: f64) -> Self {
+        let x = normal.normalize_or_zero().any_orthonormal_vector();
+        let y = normal.normalize_or_zero().cross(x);
+        let half = half_of_plane(reach);
+        let corner = |(i, j): (f64, f64)| point + half * (i * x + j * y);
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner).to_vec();
+        Self { corners, normals: Vec::new(), faces: vec![[0, 1, 2], [0, 2, 3]] }
+    }
+
     /// As a PLY file of text, with 64 bits in each number.
     pub(in crate::export) fn ply(&self) -> Vec<u8> {
         use crate::export::text::spaced;
         let has_normals = !self.normals.is_empty();
-        let normals =
-            if has_normals { "property double nx\nproperty double ny\nproperty double nz\n" } else { "" };
+        let normals = if has_normals {
+            "property double nx\nproperty double ny\nproperty double nz\n"
+        } else {
+            ""
+        };
         let mut text = format!(
             "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
              property double z\n{normals}element face {}\n\

@@ -64,6 +64,7 @@ const CAN: &[Feature] = &[
     Feature::BackSides,
     Feature::Depth,
     Feature::Background,
+    Feature::Exposure,
     Feature::GridSamples,
 ];
 
@@ -90,7 +91,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         text += &format!("{shape}{}\n  {look}{no_shadow}\n}}\n", shape::matrix(object));
     }
     let files = BTreeMap::from([(MAIN.to_owned(), text.into_bytes())]);
-    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid })
+    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside: BTreeSet::new() })
 }
 
 fn head(plain: &Plain) -> String {
