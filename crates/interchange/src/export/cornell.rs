@@ -9,7 +9,7 @@ use scene::format::{Falloff, Object, Shading, Transform, Triple};
 use tracer::Projection;
 
 use super::plain::{Lamp, Look, Placed, Plain, Solid};
-use super::text::{numbers, spaced};
+use super::text::{numbers, put, spaced};
 use super::{Exported, number};
 use crate::Feature;
 
@@ -56,7 +56,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         camera(plain)
     );
     let (width, height) = plain.size;
-    text += &format!("  <image>{width} {height}</image>\n");
+    put(&mut text, format_args!("  <image>{width} {height}</image>\n"));
     if plain.background != [0.0; 3] {
         text += &element("backColor", plain.background);
     }

@@ -9,7 +9,7 @@ use scene::format::Triple;
 use tracer::Projection;
 
 use super::plain::{Lamp, Look, Plain, Solid, Triangles};
-use super::text::spaced;
+use super::text::{put, spaced};
 use super::{Exported, number};
 use crate::Feature;
 
@@ -39,7 +39,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     for lamp in &plain.lamps {
         // It has no words for others; that was asked before.
         if let Lamp::Point { position, intensity, .. } = lamp {
-            text += &format!("l {} {}\n", spaced(*position), spaced(*intensity));
+            put(&mut text, format_args!("l {} {}\n", spaced(*position), spaced(*intensity)));
         }
     }
     let mut fill = None;
@@ -115,7 +115,7 @@ fn triangles(all: &Triangles) -> String {
             let at =
                 |list: &[tracer::glam::DVec3]| list.get(i as usize).map(|v| spaced(v.to_array()));
             let words: Vec<_> = at(&all.corners).into_iter().chain(at(&all.normals)).collect();
-            text += &format!("{}\n", words.join(" "));
+            put(&mut text, format_args!("{}\n", words.join(" ")));
         }
     }
     text

@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::plain::{Look, Plain, Solid, Triangles};
-use super::text::spaced;
+use super::text::{put, spaced};
 use super::{Exported, number};
 use crate::Feature;
 
@@ -49,7 +49,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
             known.push(&object.look);
             known.len() - 1
         });
-        text += &format!("o object{k}\nusemtl m{m}\n");
+        put(&mut text, format_args!("o object{k}\nusemtl m{m}\n"));
         text += &triangles.obj(&mut corners, &mut normals);
     }
     let files = BTreeMap::from([
@@ -81,10 +81,10 @@ impl Triangles {
     pub(super) fn obj(&self, corners: &mut usize, normals: &mut usize) -> String {
         let mut text = String::new();
         for corner in &self.corners {
-            text += &format!("v {}\n", spaced(corner.to_array()));
+            put(&mut text, format_args!("v {}\n", spaced(corner.to_array())));
         }
         for normal in &self.normals {
-            text += &format!("vn {}\n", spaced(normal.to_array()));
+            put(&mut text, format_args!("vn {}\n", spaced(normal.to_array())));
         }
         for face in &self.faces {
             let words = face.map(|i| {
@@ -97,7 +97,7 @@ impl Triangles {
                     format!(" {corner}//{normal}")
                 }
             });
-            text += &format!("f{}\n", words.concat());
+            put(&mut text, format_args!("f{}\n", words.concat()));
         }
         *corners += self.corners.len();
         *normals += self.normals.len();

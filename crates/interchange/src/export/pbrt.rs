@@ -11,7 +11,7 @@ use tracer::Projection;
 use tracer::glam::DVec3;
 
 use super::plain::{Lamp, Look, Plain, Solid, Triangles};
-use super::text::{numbers, scaled, spaced, vector};
+use super::text::{numbers, put, scaled, spaced, vector};
 use super::{Exported, number};
 use crate::Feature;
 
@@ -56,7 +56,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         text += &light(plain, lamp);
     }
     if plain.background != [0.0; 3] {
-        text += &format!("LightSource \"infinite\" {}\n", rgb("L", plain.background));
+        put(&mut text, format_args!("LightSource \"infinite\" {}\n", rgb("L", plain.background)));
     }
     let mut files = BTreeMap::new();
     for object in &plain.objects {
@@ -73,7 +73,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
             Look::Normal(_) | Look::Depth { .. } => continue,
         };
         let shape = shape(&object.solid(plain), &mut files);
-        text += &format!("AttributeBegin\n{look}{shape}AttributeEnd\n");
+        put(&mut text, format_args!("AttributeBegin\n{look}{shape}AttributeEnd\n"));
     }
     files.insert(MAIN.to_owned(), text.into_bytes());
     Ok(Exported { main: MAIN.to_owned(), files, grid: 1, beside: BTreeSet::new() })
@@ -180,11 +180,15 @@ fn shape(solid: &Solid, files: &mut BTreeMap<String, Vec<u8>>) -> String {
         Solid::Cylinder { a, b, radius, open } => {
             let (radius, length) = (radius_of(*radius), number(a.distance(*b)));
             let mut text = place(*a, *b - *a);
-            text +=
-                &format!("Shape \"cylinder\" {radius} \"float zmin\" 0 \"float zmax\" {length}\n");
+            put(
+                &mut text,
+                format_args!(
+                    "Shape \"cylinder\" {radius} \"float zmin\" 0 \"float zmax\" {length}\n"
+                ),
+            );
             if !open {
-                text += &format!("Shape \"disk\" {radius} \"float height\" 0\n");
-                text += &format!("Shape \"disk\" {radius} \"float height\" {length}\n");
+                put(&mut text, format_args!("Shape \"disk\" {radius} \"float height\" 0\n"));
+                put(&mut text, format_args!("Shape \"disk\" {radius} \"float height\" {length}\n"));
             }
             text
         }

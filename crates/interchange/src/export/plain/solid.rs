@@ -6,7 +6,7 @@ use scene::format::{Object, Triple};
 use tracer::glam::{DAffine3, DMat3, DVec3};
 
 use super::{Placed, Plain};
-use crate::export::text::vector;
+use crate::export::text::{put, vector};
 
 /// A shape in the world's space. Normals and corners are turned as their
 /// shape is, a mirror included: they point outwards still.
@@ -232,7 +232,7 @@ impl Triangles {
             text += "\n";
         }
         for [a, b, c] in &self.faces {
-            text += &format!("3 {a} {b} {c}\n");
+            put(&mut text, format_args!("3 {a} {b} {c}\n"));
         }
         text.into_bytes()
     }
