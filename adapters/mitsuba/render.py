@@ -167,7 +167,7 @@ class Direct(mi.SamplingIntegrator):
         radiance = mi.Color3f(0) if emitter is None else mi.Color3f(emitter.eval(si))
         bsdf = si.bsdf(ray)
         for light in scene.emitters():
-            if light.shape() is not None:
+            if mi.has_flag(light.flags(), mi.EmitterFlags.Surface):
                 continue
             ds, weight = light.sample_direction(si, mi.Point2f(0.5, 0.5))
             value = bsdf.eval(mi.BSDFContext(), si, si.to_local(ds.d)) * weight

@@ -36,6 +36,7 @@ fn help_of_every_verb() {
         "minimize",
         "list",
         "render",
+        "export",
         "compare",
         "contact-sheet",
         "digest",

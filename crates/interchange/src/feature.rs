@@ -113,10 +113,16 @@ features! {
         DirectionalLight,
         /// Light from everywhere.
         AmbientLight,
+        /// More than one of them. Only writers of scenes ask for it.
+        SeveralLights,
         /// Shadows.
         Shadows,
         /// Lights without shadows.
         NoShadows,
+        /// Surfaces that are too near to each other for a shadow, by the gap that
+        /// the convention leaves. Only writers of scenes ask for it, who look at
+        /// the picture for it.
+        ShadowGap,
     }
     "shading": {
         /// The lecture's: `kd max(n.l, 0)`.

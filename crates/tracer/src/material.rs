@@ -128,16 +128,19 @@ impl Material {
     /// shown unlit, multiplied channel by channel: what a texture does. `Normal` has
     /// none, and stays.
     #[must_use]
-    pub fn tinted(self, by: Rgb) -> Self {
-        let tint = |color: Rgb| if seeded(Fault::TextureReplacesColor) { by } else { color * by };
-        match self {
-            Self::Constant(color) => Self::Constant(tint(color)),
-            Self::Normal => Self::Normal,
-            Self::Lambert { diffuse } => Self::Lambert { diffuse: tint(diffuse) },
-            Self::BlinnPhong { diffuse, specular, exponent } => {
-                Self::BlinnPhong { diffuse: tint(diffuse), specular, exponent }
-            }
-        }
+    pub fn tinted(mut self, by: Rgb) -> Self {
+        let own = match &mut self {
+            Self::Normal => return self,
+            Self::Constant(color) => color,
+            Self::Lambert { diffuse }
+            | Self::BlinnPhong { diffuse, .. }
+            | Self::Whitted { diffuse, .. }
+            | Self::Glazed { diffuse, .. } => diffuse,
+            Self::Mirror { reflectance, .. } => reflectance,
+            Self::Dielectric { tint, .. } => tint,
+        };
+        *own = if seeded(Fault::TextureReplacesColor) { by } else { *own * by };
+        self
     }
 
     /// The color that the surface has by itself, before any light: what

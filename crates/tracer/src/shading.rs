@@ -56,7 +56,7 @@ impl Convention {
     /// Classic has none: its shadow rays start off the surface by no more than
     /// its rounding error. The later assignments skipped a fixed distance, and
     /// their pictures show it where objects touch.
-    fn shadow_gap(self) -> f64 {
+    pub fn shadow_gap(self) -> f64 {
         match self {
             Self::Classic => 0.0,
             Self::Attenuated => 1e-6,

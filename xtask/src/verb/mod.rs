@@ -10,6 +10,7 @@ pub(crate) mod conform;
 pub(crate) mod contact_sheet;
 pub(crate) mod digest;
 pub(crate) mod elsewhere;
+pub(crate) mod export;
 pub(crate) mod grade;
 pub(crate) mod import;
 pub(crate) mod lint;

@@ -6,8 +6,10 @@ use harness::counts::Counts;
 use harness::expectation::Rendered;
 use harness::fixture::{Build, Fixture, Skipping};
 use harness::overrides::{self, Filter, Overrides, Sampler};
+use harness::store::FolderAssets;
 use harness::suite::{Suite, name_of};
 use harness::{golden, picture_file};
+use interchange::import::{Source, Unreadable, Wishes, import};
 
 use crate::{Answer, CannotAsk, Here};
 
@@ -15,7 +17,7 @@ use crate::{Answer, CannotAsk, Here};
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
-    /// A scene file (*.ron) or a fixture's name
+    /// A scene file (*.ron, *.json) or a fixture's name
     scene: String,
     /// The picture: .png as stored in goldens, .exr linear
     #[arg(long, value_name = "FILE", required_unless_present_any = ["explain", "stats"])]
@@ -54,20 +56,7 @@ pub(crate) fn run(
     here: &Here,
     Args { scene, out, error, samples, sampler, filter, explain, stats, no_skip }: &Args,
 ) -> Result<Answer, CannotAsk> {
-    // A fixture has no ending in its name, so what has one is a file.
-    let (label, path) = if Path::new(scene).extension().is_some_and(|e| e == "ron") {
-        (scene.clone(), PathBuf::from(scene))
-    } else {
-        let suite = here.suite()?;
-        // Says what was probably meant where there is no such fixture.
-        let selection = suite.select(std::slice::from_ref(scene))?;
-        let is_whole = |name: &&String| *name == scene || *name == name_of(scene);
-        let name = selection.fixtures.iter().find(is_whole).ok_or_else(|| {
-            CannotAsk(format!("expected a scene file or a fixture's whole name, found \"{scene}\""))
-        })?;
-        (Suite::fixture_label(name), suite.fixture_path(name))
-    };
-    let mut fixture = Fixture::open(&label, &path, Build::default()).map_err(CannotAsk)?;
+    let Opened { label, path, mut fixture } = Opened::new(here, scene)?;
     let overrides =
         Overrides { samples: *samples, sampler: *sampler, filter: *filter, error: *error };
     fixture.scene = overrides.apply(&fixture.scene).map_err(CannotAsk)?;
@@ -97,6 +86,66 @@ pub(crate) fn run(
         }
     }
     Ok(Answer::Yes)
+}
+
+/// A scene that was named on the command line.
+pub(super) struct Opened {
+    /// Its name in messages.
+    pub(super) label: String,
+    pub(super) path: PathBuf,
+    pub(super) fixture: Fixture,
+}
+
+impl Opened {
+    /// The scene file or the fixture of this name.
+    ///
+    /// # Errors
+    /// There is none, or it makes no sense.
+    pub(super) fn new(here: &Here, scene: &str) -> Result<Self, CannotAsk> {
+        // A fixture has no ending in its name, so what has one is a file.
+        let ending = Path::new(scene).extension().and_then(|ending| ending.to_str());
+        let (label, path) = if matches!(ending, Some("ron" | "json")) {
+            (scene.to_owned(), PathBuf::from(scene))
+        } else {
+            let suite = here.suite()?;
+            // Says what was probably meant where there is no such fixture.
+            let selection = suite.select(std::slice::from_ref(&scene.to_owned()))?;
+            let is_whole = |name: &&String| *name == scene || *name == name_of(scene);
+            let name = selection.fixtures.iter().find(is_whole).ok_or_else(|| {
+                CannotAsk(format!(
+                    "expected a scene file or a fixture's whole name, found \"{scene}\""
+                ))
+            })?;
+            (Suite::fixture_label(name), suite.fixture_path(name))
+        };
+        let fixture = if ending == Some("json") {
+            from_json(&label, &path)
+        } else {
+            Fixture::open(&label, &path, Build::default())
+        };
+        Ok(Self { fixture: fixture.map_err(CannotAsk)?, label, path })
+    }
+}
+
+/// The fixture of a scene as JSON, without a check.
+fn from_json(label: &str, path: &Path) -> Result<Fixture, String> {
+    let text = Fixture::text(label, path)?;
+    let assets = FolderAssets::beside(path);
+    let source = Source { name: label, bytes: text.as_bytes() };
+    let scene = import(source, &Wishes::default(), &assets).map_err(|all| {
+        let said = all.iter().map(|Unreadable { place, message, help }| {
+            let place = place.map_or(String::new(), |(line, column)| format!(":{line}:{column}"));
+            let help = help.as_ref().map_or(String::new(), |help| format!("; {help}"));
+            format!("{label}{place}: {message}{help}\n")
+        });
+        said.collect::<String>()
+    })?;
+    let text = scene::write(&scene.scene)?;
+    // Its problems are told without their places: those of the text are not the file's.
+    if let Err(problems) = scene::recompile(&scene.scene, &assets, Build::default()) {
+        return Err(problems.iter().map(|problem| format!("{label}: {problem}\n")).collect());
+    }
+    Fixture::read(label, &text, &assets, Build::default())
 }
 
 /// Makes a file of a picture.

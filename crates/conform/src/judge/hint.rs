@@ -9,7 +9,7 @@ use crate::adapter::{Meaning, Transfer};
 /// Another meaning of the file by which its interior is right, in a sentence.
 pub(super) fn hint(
     reference: &Reference<'_>,
-    stored: &Stored,
+    (stored, grid): (&Stored, u32),
     meaning: Meaning,
     allowance: Allowance,
 ) -> Option<String> {
@@ -19,7 +19,9 @@ pub(super) fn hint(
         .flat_map(|rows| Transfer::ALL.map(|transfer| Meaning { transfer, rows, ..meaning }));
     let is_right = |other: &Meaning| {
         let levels = Levels::of(stored, *other);
-        levels.is_ok_and(|levels| judge(reference, &levels, allowance).numbers.interior_off == 0)
+        levels.is_ok_and(|levels| {
+            judge(reference, &levels.gathered(grid), allowance).numbers.interior_off == 0
+        })
     };
     let other = all.filter(|other| *other != meaning).find(is_right)?;
     let mut words = Vec::new();

@@ -43,7 +43,6 @@ pub struct Levels {
     size: Size,
     pixels: Vec<[Level; 3]>,
     nominal: LinearImage,
-    is_stepped: bool,
 }
 
 impl Levels {
@@ -77,7 +76,7 @@ impl Levels {
         let pixels = values.iter().map(|pixel| Rgb::from(pixel.map(nominal))).collect();
         let nominal =
             LinearImage::from_pixels(size, pixels).ok_or("has a wrong count of pixels")?;
-        Ok(Self { size, pixels: levels.collect(), nominal, is_stepped: depth != Depth::Single })
+        Ok(Self { size, pixels: levels.collect(), nominal })
     }
 
     /// Width and height.
@@ -95,9 +94,53 @@ impl Levels {
         &self.nominal
     }
 
-    /// Whether its steps are coarser than those of 32-bit floats.
-    pub fn is_stepped(&self) -> bool {
-        self.is_stepped
+    /// The least and the most that each number may stand for, as pictures.
+    pub fn bounds(&self) -> [LinearImage; 2] {
+        let of = |side: fn(&Level) -> f64| {
+            let width = self.size.width as usize;
+            LinearImage::from_fn(self.size, |x, y| {
+                let pixel = &self.pixels[y as usize * width + x as usize];
+                Rgb::from([side(&pixel[0]), side(&pixel[1]), side(&pixel[2])])
+            })
+        };
+        [of(|level| level.low), of(|level| level.high)]
+    }
+
+    /// The picture whose pixels are the means of squares of `n` by `n` of these, of
+    /// which there are so many in each direction: what samples on a grid make.
+    #[must_use]
+    pub fn gathered(self, n: u32) -> Self {
+        if n <= 1 {
+            return self;
+        }
+        let size = Size { width: self.size.width / n, height: self.size.height / n };
+        let wide = self.size.width as usize;
+        let count = f64::from(n) * f64::from(n);
+        let pixels = (0..size.height).flat_map(|y| (0..size.width).map(move |x| (x, y)));
+        let pixels = pixels.map(|(x, y)| {
+            let mut sum = [Level { low: 0.0, high: 0.0 }; 3];
+            for j in 0..n {
+                for i in 0..n {
+                    let at = (y * n + j) as usize * wide + (x * n + i) as usize;
+                    for (sum, level) in sum.iter_mut().zip(&self.pixels[at]) {
+                        sum.low += level.low;
+                        sum.high += level.high;
+                    }
+                }
+            }
+            sum.map(|sum| Level { low: sum.low / count, high: sum.high / count })
+        });
+        let pixels = pixels.collect();
+        let nominal = LinearImage::from_fn(size, |x, y| {
+            let mut sum = Rgb::BLACK;
+            for j in 0..n {
+                for i in 0..n {
+                    sum += self.nominal.get(x * n + i, y * n + j).unwrap_or_default();
+                }
+            }
+            sum * (1.0 / count)
+        });
+        Self { size, pixels, nominal }
     }
 }
 

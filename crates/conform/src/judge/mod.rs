@@ -56,9 +56,6 @@ pub struct Judged {
     pub off: Vec<bool>,
     /// What is wrong with it, in sentences; empty if nothing is.
     pub findings: Vec<String>,
-    /// The largest half step of its file, relative as in [`Numbers::worst_interior`];
-    /// 0 for floats.
-    pub step: f64,
 }
 
 /// Judges a picture of the reference's size.
@@ -89,13 +86,13 @@ pub fn judge(reference: &Reference<'_>, levels: &Levels, allowance: Allowance) -
     }
     findings.extend(strange(reference, levels, &off, scale, allowance.tolerance));
     findings.extend(expect::broken(reference, levels, scale, allowance.tolerance));
-    Judged { numbers, off, findings, step: step(linear, levels, scale) }
+    Judged { numbers, off, findings }
 }
 
 /// What would make a picture right that is not, if that is simple.
 pub fn hint(
     reference: &Reference<'_>,
-    stored: &Stored,
+    stored: (&Stored, u32),
     meaning: Meaning,
     allowance: Allowance,
 ) -> Option<String> {
@@ -226,17 +223,6 @@ fn strange(
         strange.len(),
         triple(found)
     ))
-}
-
-fn step(linear: &LinearImage, levels: &Levels, scale: Scale) -> f64 {
-    if !levels.is_stepped() {
-        return 0.0;
-    }
-    let of_pixel = |(pixel, levels): (&Rgb, &[Level; 3])| {
-        let halves = levels.iter().map(|level| (level.high - level.low) / 2.0);
-        halves.filter(|half| half.is_finite()).fold(0.0, f64::max) / scale.at(*pixel)
-    };
-    linear.pixels().iter().zip(levels.pixels()).map(of_pixel).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -94,12 +94,11 @@ fn the_very_picture_passes_in_any_encoding() {
     let levels = Levels::of(&held.floats(|_, _, c| c), plain()).unwrap();
     let judged = judge(&held.reference(), &levels, exact);
     assert_eq!((judged.numbers.interior_off, judged.numbers.edge_off), (0, 0));
-    assert_eq!((judged.step, judged.numbers.worst_at), (0.0, None));
+    assert_eq!(judged.numbers.worst_at, None);
     assert!(judged.numbers.edge_pixels > 10);
-    for (max, least) in [(255, 1e-4), (65_535, 1e-7)] {
+    for max in [255, 65_535] {
         let linear = held.judged(&held.codes(max, |c| c), plain());
         assert_eq!(linear.numbers.interior_off + linear.numbers.edge_off, 0, "{max}");
-        assert!(linear.step > least && linear.step < 1e3 * least, "{}", linear.step);
         let gamma = held.codes(max, |c| libm::pow(c, 1.0 / 2.2));
         let judged = held.judged(&gamma, Meaning { transfer: Transfer::Gamma22, ..plain() });
         assert_eq!(judged.numbers.interior_off, 0);
@@ -149,7 +148,7 @@ fn an_edge_may_show_either_side_and_nothing_else() {
 #[test]
 fn what_would_make_it_right_is_said() {
     let held = held("");
-    let hinted = |stored: &Stored| hint(&held.reference(), stored, plain(), STRICT);
+    let hinted = |stored: &Stored| hint(&held.reference(), (stored, 1), plain(), STRICT);
     let size = held.rendered.linear.size();
     let flipped = held.floats(|x, y, _| held.rendered.linear.get(x, size.height - 1 - y).unwrap());
     assert!(hinted(&flipped).unwrap().contains("rows: BottomFirst"));

@@ -5,8 +5,8 @@ use std::time::Duration;
 use harness::picture_file::Stored;
 use harness::store::{self, Scratch, StoreError};
 use interchange::Feature;
-use interchange::export::{Exported, NotWritten, export};
-use tracer::edges;
+use interchange::export::{Dialect, Exported, NotWritten, export};
+use tracer::{Size, edges};
 
 use super::artifacts::{Kept, keep, write_strip};
 use super::{Plan, Renderer, Subject};
@@ -98,7 +98,7 @@ pub(super) fn render_and_judge(
         Ok(bytes) => Ok(bytes),
         Err(error) => Err(error.what),
     };
-    let verdict = verdict(renderer, subject, (&ran, time), picture.as_ref());
+    let verdict = verdict(renderer, (subject, exported.grid), (&ran, time), picture.as_ref());
     let result = result(&verdict, ran.elapsed);
     let mut by_hand = None;
     if verdict.outcome != Said::Pass {
@@ -135,7 +135,8 @@ fn exported(renderer: &Renderer, subject: &Subject) -> Result<Exported, Vec<Stri
         Some(format!("its adapter says that it has no {feature}{reason}"))
     });
     let mut findings: Vec<String> = declared.collect();
-    if !adapter.same_samples {
+    let is_own = matches!(adapter.scene, Dialect::Ron | Dialect::Json);
+    if is_own && !adapter.same_samples {
         let samples = subject.features.iter().filter(|feature| SAMPLES.contains(feature));
         findings.extend(samples.map(|feature| {
             format!("{feature}: its adapter does not say that it takes the same samples")
@@ -161,8 +162,8 @@ fn words(renderer: &Renderer, subject: &Subject, exported: &Exported) -> Vec<Str
     let filling = crate::adapter::Filling {
         scene: exported.main.clone(),
         output: renderer.adapter.output.clone(),
-        width: size.width,
-        height: size.height,
+        width: size.width * exported.grid,
+        height: size.height * exported.grid,
         samples: subject.fixture.scene.samples().samples_per_pixel(),
         ..renderer.filling.clone()
     };
@@ -172,7 +173,7 @@ fn words(renderer: &Renderer, subject: &Subject, exported: &Exported) -> Vec<Str
 /// What is said of a run.
 fn verdict(
     renderer: &Renderer,
-    subject: &Subject,
+    (subject, grid): (&Subject, u32),
     (ran, time): (&Ran, Duration),
     picture: Result<&Option<Vec<u8>>, &String>,
 ) -> Verdict {
@@ -206,7 +207,9 @@ fn verdict(
         Ok(stored) => stored,
         Err(why) => return bad(why),
     };
-    let (expected, found) = (subject.fixture.scene.size(), stored.size());
+    let Size { width, height } = subject.fixture.scene.size();
+    let expected = Size { width: width * grid, height: height * grid };
+    let found = stored.size();
     if expected != found {
         let why = format!(
             "expected {} x {} pixels, found {} x {}",
@@ -215,7 +218,7 @@ fn verdict(
         return Verdict::because(Said::WrongSize, why);
     }
     let levels = match Levels::of(&stored, meaning) {
-        Ok(levels) => levels,
+        Ok(levels) => levels.gathered(grid),
         Err(why) => return bad(why),
     };
     let around = edges(&subject.fixture.scene, renderer.adapter.edge_reach);
@@ -225,12 +228,14 @@ fn verdict(
     let judged = judge(&reference, &levels, allowance);
     let mut findings = judged.findings.clone();
     if !findings.is_empty() {
-        findings.extend(hint(&reference, &stored, meaning, allowance));
+        findings.extend(hint(&reference, (&stored, grid), meaning, allowance));
     }
+    let [low, high] = levels.bounds();
     let evidence = Evidence {
         reference: rendered.linear.clone(),
         actual: levels.nominal().clone(),
-        step: judged.step,
+        low,
+        high,
         edges: around.iter().map(Option::is_some).collect(),
         off: judged.off.clone(),
     };

@@ -2,10 +2,14 @@
 //!
 //! To add a dialect: write its file, and add its line to [`Dialect`].
 
+mod cornell;
 mod mitsuba;
+mod nff;
+mod obj;
+mod own;
+mod pbrt;
 mod plain;
 mod povray;
-mod ron;
 mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -86,6 +90,8 @@ pub struct Exported {
     /// `grid` by `grid` pixels is then one, their mean. 1 where there is nothing
     /// to do.
     pub grid: u32,
+    /// What the files do not say, and whoever renders them must be told besides.
+    pub beside: BTreeSet<Feature>,
 }
 
 /// Why a scene is not written.
@@ -110,8 +116,15 @@ impl fmt::Display for NotWritten {
 }
 
 /// What no dialect but goldray's own is given words for.
-const UNSAID: [Feature; 5] =
-    [Feature::Mirror, Feature::Dielectric, Feature::Whitted, Feature::Glazed, Feature::Schlick];
+const UNSAID: [Feature; 7] = [
+    Feature::Mirror,
+    Feature::Dielectric,
+    Feature::Whitted,
+    Feature::Glazed,
+    Feature::Schlick,
+    Feature::CheckerTexture,
+    Feature::ImageTexture,
+];
 
 /// Writes a scene that was read without problems; `assets` gives the files that
 /// it names.
@@ -130,11 +143,19 @@ pub fn export(
     if !is_ours && !unsaid.is_empty() {
         return Err(NotWritten::Cannot(unsaid));
     }
-    let plain = || Plain::new(scene, assets).map_err(NotWritten::Bad);
-    match dialect {
-        Dialect::PovRay => povray::write(&plain()?).map_err(NotWritten::Cannot),
-        Dialect::Mitsuba => mitsuba::write(&plain()?).map_err(NotWritten::Cannot),
-        Dialect::Ron => ron::write(scene, assets),
-        _ => Err(NotWritten::Cannot(crate::feature::features(scene))),
-    }
+    let write: fn(&Plain) -> Result<Exported, BTreeSet<Feature>> = match dialect {
+        Dialect::Ron => return own::ron(scene, assets).map_err(NotWritten::Bad),
+        Dialect::Json => return own::json(scene, assets).map_err(NotWritten::Bad),
+        Dialect::CornellXml => cornell::write,
+        Dialect::Nff => nff::write,
+        Dialect::PovRay => povray::write,
+        Dialect::Mitsuba => mitsuba::write,
+        Dialect::Pbrt => pbrt::write,
+        Dialect::Obj => obj::write,
+    };
+    let plain = Plain::new(scene, assets).map_err(NotWritten::Bad)?;
+    write(&plain).map_err(NotWritten::Cannot)
 }
+
+#[cfg(test)]
+mod tests;

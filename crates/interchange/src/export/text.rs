@@ -1,5 +1,7 @@
 //! Numbers as text: the shortest decimals that are read back as the same number.
 
+use std::fmt::{self, Write as _};
+
 use scene::format::Triple;
 use tracer::glam::DVec3;
 
@@ -17,6 +19,12 @@ pub(super) fn number(x: f64) -> String {
 /// Numbers with `between` between them.
 pub(super) fn numbers(all: impl IntoIterator<Item = f64>, between: &str) -> String {
     all.into_iter().map(number).collect::<Vec<_>>().join(between)
+}
+
+/// Adds to a text.
+pub(super) fn put(text: &mut String, more: fmt::Arguments<'_>) {
+    // Writing into a string does not fail.
+    let _ = text.write_fmt(more);
 }
 
 /// `1 2 3`.

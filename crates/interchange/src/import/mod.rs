@@ -6,6 +6,7 @@
 mod cornell;
 mod files;
 mod gltf;
+mod json;
 mod mesh;
 mod nff;
 mod obj;
@@ -117,6 +118,7 @@ const READERS: &[(&str, Reader)] = &[
     ("nff", nff::read),
     ("glb", gltf::read),
     ("gltf", gltf::read),
+    ("json", json::read),
     ("obj", obj::read),
     ("ply", ply::read),
     ("stl", stl::read),

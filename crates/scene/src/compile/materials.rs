@@ -132,6 +132,7 @@ fn in_place(
             transmit,
             ior,
             schlick,
+            texture: _,
         } => Material::Whitted {
             diffuse: diffuse_or_default(diffuse),
             specular: Rgb::from(specular),
@@ -141,7 +142,7 @@ fn in_place(
             ior,
             schlick,
         },
-        format::Material::Glazed { ior, schlick, diffuse, specular, exponent } => {
+        format::Material::Glazed { ior, schlick, diffuse, specular, exponent, texture: _ } => {
             Material::Glazed {
                 ior,
                 schlick,

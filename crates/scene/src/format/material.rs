@@ -87,6 +87,9 @@ pub enum Material {
         /// Whether `reflect` grows along the surface by Schlick's law.
         #[serde(default, skip_serializing_if = "is_default")]
         schlick: bool,
+        /// Multiplies `diffuse` from place to place.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        texture: Option<Texture>,
     },
     /// Uniform scattering with a highlight, under a clear coat.
     Glazed {
@@ -104,6 +107,9 @@ pub enum Material {
         /// Sharpness of the highlight.
         #[serde(default = "one", skip_serializing_if = "is_one")]
         exponent: f64,
+        /// Multiplies `diffuse` from place to place.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        texture: Option<Texture>,
     },
 }
 
@@ -120,8 +126,10 @@ impl Material {
         match self {
             Self::Constant { texture, .. }
             | Self::Lambert { texture, .. }
-            | Self::BlinnPhong { texture, .. } => texture.as_ref(),
-            Self::Named(_) | Self::Normal => None,
+            | Self::BlinnPhong { texture, .. }
+            | Self::Whitted { texture, .. }
+            | Self::Glazed { texture, .. } => texture.as_ref(),
+            Self::Named(_) | Self::Normal | Self::Mirror { .. } | Self::Dielectric { .. } => None,
         }
     }
 }

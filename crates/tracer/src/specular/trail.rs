@@ -26,7 +26,8 @@ impl Trail {
         let surface = seen
             .surface
             .map_or(0, |(object, n)| (u64::from(object.0) + 1) << 8 | u64::from(side(*n)) << 1 | 1);
-        [step, surface, seen.shadows].into_iter().fold(self, Self::mixed)
+        let way = [step, surface, seen.shadows].into_iter().fold(self, Self::mixed);
+        if seen.texel == 0 { way } else { way.mixed(u64::from(seen.texel)) }
     }
 
     /// Source: the finalizer of Steele, Lea, Flood, "Fast Splittable Pseudorandom
@@ -54,7 +55,7 @@ mod tests {
     use crate::{ObjectId, Rgb, UnitVec};
 
     fn look(object: u32, n: UnitVec, shadows: u64) -> Look {
-        Look { color: Rgb::BLACK, surface: Some((ObjectId(object), n)), shadows }
+        Look { color: Rgb::BLACK, surface: Some((ObjectId(object), n)), texel: 0, shadows }
     }
 
     #[test]

@@ -29,8 +29,8 @@ pub(super) fn sensor(plain: &Plain) -> String {
             let mut own =
                 format!("<string name=\"fov_axis\" value=\"x\"/>{}", float("fov", fov_deg));
             let (right, up) = (middle.dot(*u) / width, middle.dot(*v) / height);
-            // Where the axis meets the film, from its middle: to the right and down.
-            for (name, offset) in [("x", -right), ("y", up)] {
+            // Signs as measured on windows that lie to a side and above.
+            for (name, offset) in [("x", right), ("y", -up)] {
                 if offset.abs() > ROUNDING {
                     own += &float(&format!("principal_point_offset_{name}"), offset);
                 }

@@ -16,7 +16,11 @@ pub(super) fn look(plain: &Plain, object: &Placed) -> String {
         Look::Normal(by) => DARK.to_owned() + &emitter("goldray_normals", &float("scale", *by)),
         Look::Depth { near, far } => DARK.to_owned() + &depth(plain, *near, *far),
         Look::Lit { diffuse, highlight } => {
-            let surface = surface(plain, object, *diffuse, *highlight);
+            let mut surface = surface(plain, object, *diffuse, *highlight);
+            if object.is_flat_box() {
+                // Whichever of its sides is met, it is the one that is seen.
+                surface = format!("<bsdf type=\"twosided\">{surface}</bsdf>");
+            }
             let ambient = times(*diffuse, plain.ambient);
             if ambient == [0.0; 3] { surface } else { surface + &glow(ambient) }
         }

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 use scene::format::{Falloff, Shading, Triple};
 
 use super::Exported;
-use super::plain::{Lamp, Plain};
+use super::plain::{Lamp, Look, Plain};
 use super::text::{scaled, spaced, vector};
 use crate::Feature;
 use xml::{boolean, color, vector3};
@@ -54,6 +54,7 @@ const CAN: &[Feature] = &[
     Feature::HighlightFromBehind,
     Feature::Depth,
     Feature::Background,
+    Feature::Exposure,
     Feature::GridSamples,
 ];
 
@@ -72,12 +73,16 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         text += &emitter(plain, lamp);
     }
     for object in &plain.objects {
+        if object.is_flat_box() && matches!(object.look, Look::Normal(_)) {
+            // Of its two sides in one place either may be met.
+            return Err([Feature::Box, Feature::NormalMaterial].into());
+        }
         let look = look::look(plain, object);
         text += &shape::shape(&object.solid(plain), &look, &mut files);
     }
     text += "</scene>\n";
     files.insert(MAIN.to_owned(), text.into_bytes());
-    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid })
+    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside: BTreeSet::new() })
 }
 
 /// Mitsuba's own integrator asks one light for each sample, by chance: with more

@@ -6,10 +6,7 @@ use tracer::glam::DVec3;
 
 use super::matrix;
 use super::xml::{boolean, float, point, string};
-use crate::export::plain::Solid;
-
-/// A plane is so much larger than what is needed of it: its rim is nowhere near.
-const MARGIN: f64 = 2.0;
+use crate::export::plain::{Solid, half_of_plane};
 
 /// One object, by as many of Mitsuba's shapes as it takes; triangles become a
 /// file.
@@ -23,9 +20,7 @@ pub(super) fn shape(solid: &Solid, look: &str, files: &mut BTreeMap<String, Vec<
         }
         Solid::Disk { center, normal, radius } => shape("disk", &flat(*center, *normal, *radius)),
         Solid::Plane { point, normal, reach } => {
-            // A plane that nothing needs is there all the same.
-            let half = if *reach > 0.0 { MARGIN * reach } else { 1.0 };
-            shape("rectangle", &flat(*point, *normal, half))
+            shape("rectangle", &flat(*point, *normal, half_of_plane(*reach)))
         }
         Solid::Cylinder { a, b, radius, open } => {
             let inside = at("p0", *a) + &at("p1", *b) + &float("radius", *radius);

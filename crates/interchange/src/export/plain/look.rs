@@ -32,12 +32,12 @@ impl Look {
             diffuse.unwrap_or_else(|| convention.default_diffuse().channels())
         };
         match material {
-            Some(Material::Constant { color }) => Self::Constant(*color),
+            Some(Material::Constant { color, .. }) => Self::Constant(*color),
             Some(Material::Normal) => Self::Normal(1.0),
-            Some(Material::Lambert { diffuse }) => {
+            Some(Material::Lambert { diffuse, .. }) => {
                 Self::Lit { diffuse: filled(diffuse), highlight: None }
             }
-            Some(Material::BlinnPhong { diffuse, specular, exponent }) => {
+            Some(Material::BlinnPhong { diffuse, specular, exponent, .. }) => {
                 let highlight = (*specular != [0.0; 3]).then_some((*specular, *exponent));
                 Self::Lit { diffuse: filled(diffuse), highlight }
             }

@@ -16,7 +16,7 @@ mod solid;
 
 pub(super) use look::Look;
 pub(super) use place::Placed;
-pub(super) use solid::{Solid, Triangles};
+pub(super) use solid::{Solid, Triangles, half_of_plane};
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -49,6 +49,9 @@ pub(super) struct Plain {
     pub(super) background: Triple,
     pub(super) shading: Shading,
     pub(super) shadows: bool,
+    /// Whether a sample of the picture shows the gap that the convention leaves
+    /// before shadows.
+    pub(super) needs_gap: bool,
     /// Mesh files by name; those without normals, or shaded flat, keep them all the same.
     pub(super) meshes: BTreeMap<String, MeshData>,
     /// What it asks of a renderer, as it is here.
@@ -84,6 +87,7 @@ impl Plain {
             background,
             shading: file.shading,
             shadows: file.shadows,
+            needs_gap: false,
             meshes,
             asks: BTreeSet::new(),
         };
@@ -133,6 +137,9 @@ impl Plain {
         if self.ambient != [0.0; 3] {
             asks.insert(Feature::AmbientLight);
         }
+        if self.needs_gap {
+            asks.insert(Feature::ShadowGap);
+        }
         asks.insert(if self.shadows { Feature::Shadows } else { Feature::NoShadows });
         asks
     }
@@ -173,6 +180,3 @@ fn lights<C>(file: &SceneFile<C>, exposure: f64) -> (Vec<Lamp>, Triple) {
 fn grid<C>(file: &SceneFile<C>) -> u32 {
     if file.sampler == Sampler::Grid { file.samples_per_pixel.isqrt().max(1) } else { 1 }
 }
-
-#[cfg(test)]
-mod tests;

@@ -31,6 +31,14 @@ impl Placed {
         self.world_from_object == DAffine3::IDENTITY
     }
 
+    /// Whether it is a box without thickness, whose two sides are in one place.
+    pub(in crate::export) fn is_flat_box(&self) -> bool {
+        match self.shape {
+            Object::Box { min, max, .. } => min.iter().zip(max).any(|(lo, hi)| *lo == hi),
+            _ => false,
+        }
+    }
+
     /// The same without its transform.
     pub(in crate::export) fn in_own_space(&self) -> Self {
         Self { world_from_object: DAffine3::IDENTITY, steps: Vec::new(), ..self.clone() }
@@ -49,6 +57,8 @@ impl Placed {
         };
         let mut asks = match &self.look {
             Look::Constant(_) => vec![Feature::Constant],
+            // A color that goes from 0 to 1 in every other language.
+            Look::Normal(by) if *by != 1.0 => vec![Feature::NormalMaterial, Feature::Exposure],
             Look::Normal(_) => vec![Feature::NormalMaterial],
             Look::Depth { .. } => vec![Feature::Depth],
             Look::Lit { highlight: None, .. } => vec![Feature::Lambert],

@@ -25,6 +25,7 @@ pub(super) fn note(plain: &mut Plain, scene: &Scene) {
 
 fn note_hit(plain: &mut Plain, scene: &Scene, ray: &Ray, hit: &Hit) {
     note_reach(plain, hit);
+    plain.needs_gap = plain.needs_gap || needs_gap(plain, scene, hit);
     let Some(object) = plain.objects.get_mut(hit.object.0 as usize) else { return };
     let n = *hit.shading_normal;
     object.back_is_seen |= !(n.dot(ray.direction) < 0.0);
@@ -36,17 +37,13 @@ fn note_hit(plain: &mut Plain, scene: &Scene, ray: &Ray, hit: &Hit) {
     let from_behind = |lamp: &Lamp| {
         /// What of a highlight nobody sees.
         const DARK: f64 = 1e-7;
-        let (shadow_ray, range, intensity) = match *lamp {
-            Lamp::Point { position, intensity, falloff } => {
-                let ray = hit.leaving_to(position.into());
-                let falloff = match falloff {
-                    Falloff::Constant => 1.0,
-                    Falloff::InverseSquare => ray.direction.length_squared().recip(),
-                };
-                (ray, Interval::new(0.0, 1.0), brightest(intensity) * falloff)
+        let (shadow_ray, range) = towards(lamp, hit);
+        let intensity = match *lamp {
+            Lamp::Point { intensity, falloff: Falloff::InverseSquare, .. } => {
+                brightest(intensity) / shadow_ray.direction.length_squared()
             }
-            Lamp::Directional { direction, intensity } => {
-                (hit.leaving(-DVec3::from(direction)), Interval::AHEAD, brightest(intensity))
+            Lamp::Point { intensity, .. } | Lamp::Directional { intensity, .. } => {
+                brightest(intensity)
             }
         };
         let unit = |v| UnitVec::new(v).map_or(DVec3::ZERO, |v| *v);
@@ -57,6 +54,38 @@ fn note_hit(plain: &mut Plain, scene: &Scene, ray: &Ray, hit: &Hit) {
             && !(plain.shadows && scene.world().occludes(&shadow_ray, range))
     };
     object.glows_from_behind = plain.lamps.iter().any(from_behind);
+}
+
+/// The ray from a hit to a light, and where on it something is in the way.
+fn towards(lamp: &Lamp, hit: &Hit) -> (Ray, Interval) {
+    match *lamp {
+        Lamp::Point { position, .. } => (hit.leaving_to(position.into()), Interval::new(0.0, 1.0)),
+        Lamp::Directional { direction, .. } => {
+            (hit.leaving(-DVec3::from(direction)), Interval::AHEAD)
+        }
+    }
+}
+
+/// Whether something is between a lit point and a light, and so near to the
+/// point that it does not count.
+fn needs_gap(plain: &Plain, scene: &Scene, hit: &Hit) -> bool {
+    let gap = scene.parts().convention.shadow_gap();
+    let is_lit = || {
+        let object = plain.objects.get(hit.object.0 as usize);
+        plain.shadows && object.is_some_and(|object| object.look.is_lit())
+    };
+    if gap == 0.0 || !is_lit() {
+        return false;
+    }
+    plain.lamps.iter().any(|lamp| {
+        let (ray, Interval { lo, hi }) = towards(lamp, hit);
+        // It shades where the light falls, and no light falls on its back.
+        let faces = hit.shading_normal.dot(ray.direction) > 0.0;
+        let lo_of_gap = lo + gap / ray.direction.length();
+        faces
+            && scene.world().occludes(&ray, Interval::new(lo, hi))
+            && !scene.world().occludes(&ray, Interval::new(lo_of_gap, hi))
+    })
 }
 
 /// Notes how far from its point each plane is seen, or stands between a seen

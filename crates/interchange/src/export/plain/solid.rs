@@ -6,7 +6,7 @@ use scene::format::{Object, Triple};
 use tracer::glam::{DAffine3, DMat3, DVec3};
 
 use super::{Placed, Plain};
-use crate::export::text::vector;
+use crate::export::text::{put, vector};
 
 /// A shape in the world's space. Normals and corners are turned as their
 /// shape is, a mirror included: they point outwards still.
@@ -142,7 +142,15 @@ fn of_box(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         let pick = |axis: usize| if k >> axis & 1 == 1 { max[axis] } else { min[axis] };
         DVec3::new(pick(0), pick(1), pick(2))
     };
-    let faces = SIDES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    let flat = [min.x == max.x, min.y == max.y, min.z == max.z];
+    // Of two sides in one place there is one, and none without an area.
+    let is_there = |(k, _): &(usize, &[u32; 4])| match flat.iter().filter(|x| **x).count() {
+        0 => true,
+        1 => flat[k / 2] && k % 2 == 1,
+        _ => false,
+    };
+    let sides = SIDES.iter().enumerate().filter(is_there);
+    let faces = sides.flat_map(|(_, &[a, b, c, d])| [[a, b, c], [a, c, d]]);
     ((0..8).map(corner).collect(), faces.collect())
 }
 
@@ -180,7 +188,25 @@ fn of_mesh(mesh: &MeshData, flat: bool) -> Triangles {
     all
 }
 
+/// Half the side of a square that stands for a plane which is needed so far from
+/// its point: its rim is nowhere near.
+pub(in crate::export) fn half_of_plane(reach: f64) -> f64 {
+    const MARGIN: f64 = 2.0;
+    // A plane that nothing needs is there all the same.
+    if reach > 0.0 { MARGIN * reach } else { 1.0 }
+}
+
 impl Triangles {
+    /// A square that stands for a plane.
+    pub(in crate::export) fn square(point: DVec3, normal: DVec3, reach: f64) -> Self {
+        let x = normal.normalize_or_zero().any_orthonormal_vector();
+        let y = normal.normalize_or_zero().cross(x);
+        let half = half_of_plane(reach);
+        let corner = |(i, j): (f64, f64)| point + half * (i * x + j * y);
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner).to_vec();
+        Self { corners, normals: Vec::new(), faces: vec![[0, 1, 2], [0, 2, 3]] }
+    }
+
     /// As a PLY file of text, with 64 bits in each number.
     pub(in crate::export) fn ply(&self) -> Vec<u8> {
         use crate::export::text::spaced;
@@ -206,7 +232,7 @@ impl Triangles {
             text += "\n";
         }
         for [a, b, c] in &self.faces {
-            text += &format!("3 {a} {b} {c}\n");
+            put(&mut text, format_args!("3 {a} {b} {c}\n"));
         }
         text.into_bytes()
     }

@@ -15,7 +15,7 @@ use tracer::Projection;
 use tracer::glam::DVec3;
 
 use super::plain::{Lamp, Plain};
-use super::text::{numbers, scaled, vector};
+use super::text::{numbers, put, scaled, vector};
 use super::{Exported, number};
 use crate::Feature;
 
@@ -64,6 +64,7 @@ const CAN: &[Feature] = &[
     Feature::BackSides,
     Feature::Depth,
     Feature::Background,
+    Feature::Exposure,
     Feature::GridSamples,
 ];
 
@@ -87,10 +88,10 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         let shape = shape::shape(plain, object);
         let look = look::texture(plain, object);
         let no_shadow = if plain.shadows { "" } else { " no_shadow" };
-        text += &format!("{shape}{}\n  {look}{no_shadow}\n}}\n", shape::matrix(object));
+        put(&mut text, format_args!("{shape}{}\n  {look}{no_shadow}\n}}\n", shape::matrix(object)));
     }
     let files = BTreeMap::from([(MAIN.to_owned(), text.into_bytes())]);
-    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid })
+    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside: BTreeSet::new() })
 }
 
 fn head(plain: &Plain) -> String {

@@ -6,7 +6,7 @@ use tracer::glam::DVec3;
 use super::{point, triple};
 use crate::export::number;
 use crate::export::plain::{Placed, Plain, Solid, Triangles};
-use crate::export::text::{numbers, vector};
+use crate::export::text::{numbers, put, vector};
 
 /// All of a shape but its matrix, its look and the closing brace.
 pub(super) fn shape(plain: &Plain, object: &Placed) -> String {
@@ -83,6 +83,6 @@ fn mesh(Triangles { corners, normals, faces }: &Triangles) -> String {
         text += &vectors("normal_vectors", normals);
     }
     let list: Vec<_> = faces.iter().map(|[a, b, c]| format!("<{a},{c},{b}>")).collect();
-    text += &format!("\n  face_indices {{ {}, {} }}", faces.len(), list.join(","));
+    put(&mut text, format_args!("\n  face_indices {{ {}, {} }}", faces.len(), list.join(",")));
     text
 }

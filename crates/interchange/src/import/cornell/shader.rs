@@ -47,7 +47,10 @@ impl Reader<'_> {
         let material = match &*self.kind(node, None)? {
             "lambertian" => {
                 let fields = Fields::of(node, &["diffusecolor"], &[], &mut self.notes);
-                Material::Lambert { diffuse: fields.triple("diffusecolor", &mut self.notes) }
+                Material::Lambert {
+                    diffuse: fields.triple("diffusecolor", &mut self.notes),
+                    texture: None,
+                }
             }
             "phong" => self.phong(node),
             "constant" => {
@@ -56,7 +59,7 @@ impl Reader<'_> {
                     self.notes.unreadable(node, "expected an element color, found none", None);
                 }
                 let color = fields.triple("color", &mut self.notes)?;
-                Material::Constant { color }
+                Material::Constant { color, texture: None }
             }
             "normal" | "rgbnormals" | "shownormal" => {
                 Fields::of(node, &[], &[], &mut self.notes);
@@ -70,7 +73,7 @@ impl Reader<'_> {
                     written_name(node)
                 );
                 self.notes.lost(node, what);
-                Material::Lambert { diffuse: None }
+                Material::Lambert { diffuse: None, texture: None }
             }
         };
         let problems = self.sense.of_material(&material);
@@ -89,6 +92,7 @@ impl Reader<'_> {
             Shading::Radiometric => Some([1.0; 3]),
         };
         Material::BlinnPhong {
+            texture: None,
             diffuse: fields.triple("diffusecolor", notes).or(white),
             specular: fields.triple("specularcolor", notes).unwrap_or([1.0; 3]),
             exponent: fields.number("exponent", notes).unwrap_or(1.0),

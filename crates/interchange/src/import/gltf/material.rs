@@ -49,7 +49,7 @@ pub(super) fn of(
         lose(name, "this extension is not read");
     }
     if is_unlit {
-        return Ok(format::Material::Constant { color });
+        return Ok(format::Material::Constant { color, texture: None });
     }
     if metal != 0.0 || rough != 1.0 {
         let factors = format!("metallic {metal} and roughness {rough}");
@@ -62,5 +62,5 @@ pub(super) fn of(
             stage.chosen.push(what.to_owned());
         }
     }
-    Ok(format::Material::Lambert { diffuse: Some(color) })
+    Ok(format::Material::Lambert { diffuse: Some(color), texture: None })
 }

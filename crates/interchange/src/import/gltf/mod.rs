@@ -144,7 +144,7 @@ fn dress(document: &Document, parts: Parts, stage: &mut Stage) -> Result<(), Unr
             None => {
                 stage.chosen.push("what has no material is white".to_owned());
                 is_culled = true;
-                let white = format::Material::Lambert { diffuse: Some([1.0; 3]) };
+                let white = format::Material::Lambert { diffuse: Some([1.0; 3]), texture: None };
                 ("default".to_owned(), white)
             }
             Some(number) => {

@@ -20,9 +20,14 @@ impl Fill {
     fn lit(&self) -> Material {
         let diffuse = Some(self.color.map(|c| c * self.kd));
         if self.ks > 0.0 && self.shine > 0.0 {
-            Material::BlinnPhong { diffuse, specular: [self.ks; 3], exponent: self.shine }
+            Material::BlinnPhong {
+                diffuse,
+                specular: [self.ks; 3],
+                exponent: self.shine,
+                texture: None,
+            }
         } else {
-            Material::Lambert { diffuse }
+            Material::Lambert { diffuse, texture: None }
         }
     }
 }

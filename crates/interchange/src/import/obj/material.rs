@@ -52,14 +52,17 @@ pub(super) fn of(name: &str, written: &Definition, stage: &mut Stage) -> Materia
     }
     let diffuse = written.kd;
     match (illum, written.ks.filter(|_| has_highlight), written.ns) {
-        (0, ..) => Material::Constant { color: diffuse.unwrap_or([1.0; 3]) },
-        (1, ..) | (_, None, _) => Material::Lambert { diffuse },
-        (_, Some(specular), Some(exponent)) => {
-            Material::BlinnPhong { diffuse, specular, exponent: exponent.max(EVERYWHERE) }
-        }
+        (0, ..) => Material::Constant { color: diffuse.unwrap_or([1.0; 3]), texture: None },
+        (1, ..) | (_, None, _) => Material::Lambert { diffuse, texture: None },
+        (_, Some(specular), Some(exponent)) => Material::BlinnPhong {
+            diffuse,
+            specular,
+            exponent: exponent.max(EVERYWHERE),
+            texture: None,
+        },
         (_, Some(_), None) => {
             lose(line("Ks"), "Ks", "a highlight without Ns, which says how sharp, is left out");
-            Material::Lambert { diffuse }
+            Material::Lambert { diffuse, texture: None }
         }
     }
 }

@@ -1,0 +1,180 @@
+//! POV-Ray's scenes, word for word.
+
+use super::*;
+
+fn lines(fields: &str, starts: &str) -> Vec<String> {
+    let text = main_of(Dialect::PovRay, fields);
+    text.lines().filter(|line| line.trim().starts_with(starts)).map(str::to_owned).collect()
+}
+
+#[track_caller]
+fn check(fields: &str, starts: &str, expected: &[&str]) {
+    assert_eq!(lines(fields, starts), expected, "{fields}");
+}
+
+/// One object, and the start of what is written for it.
+#[track_caller]
+fn shape(object: &str, expected: &str) {
+    let text = main_of(Dialect::PovRay, &format!("show: Silhouette, objects: [{object}]"));
+    let body = text.split_once("\n}\n").unwrap().1;
+    let body = body.split_once("\n  texture").unwrap().0;
+    assert_eq!(body, expected, "{object}");
+}
+
+#[test]
+fn shapes() {
+    shape("Sphere(center: (1, 2, 3), radius: 0.5)", "sphere { <1,2,3>, 0.5");
+    shape("Box(min: (0, 0, 0), max: (1, 1, 1e-7))", "box { <0,0,0>, <1,1,1e-7>");
+    shape(
+        "Triangle(a: (0, 0, 0), b: (1, 0, 0), c: (0, 1, 0))",
+        "triangle { <0,0,0>, <0,1,0>, <1,0,0>",
+    );
+    shape("Plane(point: (1, 2, 3), normal: (0, 2, 0))", "plane { <0,1,0>, 0 translate <1,2,3>");
+    shape("Disk(center: (0, 1, 0), normal: (0, 0, 3), radius: 2)", "disc { <0,1,0>, <0,0,1>, 2");
+    shape("Cylinder(a: (0, 0, 0), b: (0, 1, 0), radius: 2)", "cylinder { <0,0,0>, <0,1,0>, 2");
+    shape(
+        "Cone(apex: (0, 1, 0), base: (0, 0, 0), radius: 2, open: true)",
+        "cone { <0,0,0>, 2, <0,1,0>, 0 open",
+    );
+    shape(
+        "Torus(center: (0, 1, 0), axis: (0, 9, 0), major_radius: 2, minor_radius: 1)",
+        "torus { 2, 1 translate <0,1,0>",
+    );
+    shape(
+        "Torus(center: (0, 1, 0), axis: (0, 0, 1), major_radius: 2, minor_radius: 1)",
+        "torus { 2, 1 matrix <0,1,0,0,0,1,1,0,0,0,1,0>",
+    );
+    shape(
+        "Group(transform: [Scale(1, 2, 3), Translate(4, 5, 6)], objects: [\
+         Sphere(center: (0, 0, 0), radius: 1)])",
+        "sphere { <0,0,0>, 1\n  matrix <1,0,0,0,2,0,0,0,3,4,5,6>",
+    );
+    // The second triangle lacks a normal and is flat, with corners of its own.
+    shape(
+        "Mesh(file: \"a.obj\")",
+        "mesh2 {\n  vertex_vectors { 6, <0,0,0>,<1,0,0>,<1,1,0>,<0,0,0>,<1,1,0>,<0,1,0> }\
+         \n  normal_vectors { 6, <0,0,1>,<0,0,1>,<0,0,1>,<0,0,1>,<0,0,1>,<0,0,1> }\
+         \n  face_indices { 2, <0,2,1>,<3,5,4> }",
+    );
+    shape(
+        "Mesh(file: \"a.obj\", flat: true)",
+        "mesh2 {\n  vertex_vectors { 4, <0,0,0>,<1,0,0>,<1,1,0>,<0,1,0> }\
+         \n  face_indices { 2, <0,2,1>,<0,3,2> }",
+    );
+}
+
+#[test]
+fn cameras() {
+    let at = |camera: &str| {
+        let text = main_of(Dialect::PovRay, &format!("camera: {camera}"));
+        let start = text.find("camera {").unwrap();
+        text[start..].replace("\n ", "").trim_end().to_owned()
+    };
+    assert_eq!(
+        at("Perspective(view_point: (1, 2, 3), view_width: 4, view_height: 5, proj_distance: 6)"),
+        "camera { location <1,2,3> direction <0,0,-6> right <4,0,0> up <0,5,0>\n}"
+    );
+    assert_eq!(
+        at("Parallel(view_point: (0, 0, 3), view_dir: (0, 3, -4), proj_normal: (0, 0, 1))"),
+        "camera { orthographic location <0,0,3> direction <0,0.6,-0.8> right <1,0,0> up <0,1,0>\n}"
+    );
+}
+
+#[test]
+fn lights_are_in_the_units_of_the_convention() {
+    let lit = |more: &str| LIT.replace("(3, 4, 5)", &format!("(3, 4, 5), {more}"));
+    let light = "light_source";
+    check(&lit("intensity: (1, 2, 3)"), light, &["light_source { <3,4,5> rgb <1,2,3> }"]);
+    let faded = "light_source { <3,4,5> rgb <500000000000,500000000000,500000000000> \
+                 fade_distance 1e-6 fade_power 2 }";
+    check(&format!("{LIT}, shading: Attenuated"), light, &[faded]);
+    check(&lit("falloff: InverseSquare"), light, &[faded]);
+    let by_pi = faded.replace("500000000000", "159154943091.89536");
+    check(&format!("{LIT}, shading: Radiometric"), light, &[&by_pi]);
+    check(
+        "objects: [Sphere(center: (0, 0, 0), radius: 1)], \
+         lights: [Directional(direction: (0, -2, 0)), Ambient(intensity: (1, 1, 1))]",
+        light,
+        &["light_source { <0,1000000,0> rgb <1,1,1> parallel point_at 0 }"],
+    );
+}
+
+#[test]
+fn looks() {
+    let look = |fields: &str, expected: &str| check(fields, "texture", &[expected]);
+    let made_of =
+        |material: &str| LIT.replace("radius: 1", &format!("radius: 1, material: {material}"));
+    look(LIT, "  texture { pigment { rgb <1,1,1> } finish { diffuse 1 } }");
+    look(
+        &format!("{LIT}, shadows: false"),
+        "  texture { pigment { rgb <1,1,1> } finish { diffuse 1 } } no_shadow",
+    );
+    look(
+        &made_of("Constant(color: (1, 2, 3))"),
+        "  texture { pigment { rgb <1,2,3> } finish { emission 1 } }",
+    );
+    look(
+        &made_of("BlinnPhong(diffuse: (1, 0, 0), specular: (0.5, 0.5, 0.5), exponent: 4)"),
+        "  texture { pigment { rgb <1,0,0> } finish { diffuse 1 specular 0.5 roughness 0.25 } }",
+    );
+    check(
+        &made_of("BlinnPhong(diffuse: (1, 0, 0), specular: (0.5, 0.25, 0), exponent: 4)"),
+        "texture",
+        &[
+            "  texture { pigment { rgb 0 } finish { specular 1 roughness 0.25 } }",
+            "  texture { pigment { rgbf <1,0.5,0,1> } }",
+            "  texture { pigment { rgbt <1,0,0,0.5> } finish { diffuse 2 } }",
+        ],
+    );
+    let with_ambient = LIT.replace("))]", ")), Ambient(intensity: (0.5, 0.5, 1))]");
+    look(
+        &with_ambient,
+        "  texture { pigment { rgb <1,1,1> } finish { diffuse 1 emission rgb <0.5,0.5,1> } }",
+    );
+    let normals = lines(&format!("{LIT}, show: Normals"), "texture").concat();
+    for part in ["slope <-1,0,0>", "slope <0,-1,0>", "slope <0,0,-1>", "[1 rgb <0,3,0>]"] {
+        assert!(normals.contains(part), "{normals}");
+    }
+    look(
+        &format!("{LIT}, show: Depth(near: 1, far: 3)"),
+        "  texture { pigment { function { min(1,max(0,(3-(sqrt(pow(x-(0),2)+pow(y-(0),2)+\
+         pow(z-(5),2))))/2)) } color_map { [0 rgb 0] [1 rgb 1] } } finish { emission 1 } }",
+    );
+}
+
+#[test]
+fn backs_are_written_where_they_are_seen() {
+    let disk = "objects: [Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1)], \
+                lights: [Point(position: (0, 0, -4))]";
+    check(
+        disk,
+        "interior_texture",
+        &["  interior_texture { pigment { rgb <1,1,1> } finish { diffuse 0, 1 } }"],
+    );
+    check(
+        &format!("{disk}, shading: Radiometric"),
+        "interior_texture",
+        &["  interior_texture { pigment { rgb <0.2,0.2,0.2> } finish { diffuse 0 } }"],
+    );
+    check(&disk.replace("0, -1)", "0, 1)"), "interior_texture", &[]);
+}
+
+#[test]
+fn what_it_cannot_say_is_refused() {
+    let glossy = "radius: 1, material: BlinnPhong(specular: (1, 1, 1), exponent: 2)";
+    let radiometric = format!("{}, shading: Radiometric", LIT.replace("radius: 1", glossy));
+    refused(Dialect::PovRay, &radiometric, &[Feature::BlinnPhong, Feature::Radiometric]);
+    let back = "objects: [Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1)], \
+                lights: [Point(position: (0, 0, -4))]";
+    let back = back.replace("radius: 1", glossy);
+    refused(Dialect::PovRay, &back, &[Feature::BlinnPhong, Feature::BackSides]);
+    let low = "objects: [Disk(center: (0, 0, 0), normal: (0, 0, 1), radius: 1)], \
+               lights: [Point(position: (9, 0, -1))]";
+    refused(Dialect::PovRay, &low.replace("radius: 1", glossy), &[Feature::HighlightFromBehind]);
+}
+
+#[test]
+fn samples_on_a_grid_are_a_larger_picture() {
+    assert_eq!(written(Dialect::PovRay, "samples_per_pixel: 9").grid, 3);
+    assert_eq!(written(Dialect::PovRay, "objects: []").grid, 1);
+}
