@@ -220,6 +220,21 @@ mod tests {
     }
 
     #[test]
+    fn a_grid_of_pixels_is_one() {
+        // Codes 1 to 8 in a picture of 4 x 2: two squares.
+        let file = b"P3\n4 2\n255\n1 1 1 2 2 2 3 3 3 4 4 4\n5 5 5 6 6 6 7 7 7 8 8 8\n";
+        let levels = Levels::of(&Stored::read(file).unwrap(), Meaning::default()).unwrap();
+        let gathered = levels.clone().gathered(2);
+        assert_eq!((gathered.size().width, gathered.size().height), (2, 1));
+        let means = gathered.nominal().pixels().iter().map(|pixel| 255.0 * pixel.g);
+        assert!(means.zip([3.5, 5.5]).all(|(found, mean)| (found - mean).abs() < 1e-12));
+        let [first, _] = gathered.pixels() else { panic!("two pixels") };
+        assert!((255.0 * first[0].low - 3.0).abs() < 1e-12, "{first:?}");
+        assert!((255.0 * first[2].high - 4.0).abs() < 1e-12, "{first:?}");
+        assert_eq!(levels.clone().gathered(1), levels);
+    }
+
+    #[test]
     fn a_float_stands_for_what_rounds_to_it() {
         let plain = Meaning::default();
         let ulp = f64::from(f32::EPSILON);
