@@ -77,6 +77,7 @@ fn problems_are_told_all_at_once() {
     refuses("l 0 0 0 -1 0 0", &["9:1: l: `intensity`"]);
     refuses("f 1 1 1 -1 0 0 0 1", &["expected Kd of 0 or more", "f: `diffuse`"]);
     refuses("f 1 1 1 1 -1 1 0 1", &["expected Ks of 0 or more"]);
+    refuses("l 0 0 0\n1 1 1", &["10:1: expected an element's letter, found \"1\""]);
     refuses("p 2 0 0 0 1 1 1", &["9:1: p: expected a number of corners from 3 to 10000, found 2"]);
     refuses("p 1e9", &["from 3 to 10000"]);
     refuses("p 3.5", &["from 3 to 10000"]);
@@ -215,7 +216,10 @@ fn many_polygons_become_a_mesh_and_patches_always_do() {
     let mesh = Object::Mesh { file: file.clone(), flat: false, material };
     assert_eq!(imported.scene.objects, [mesh]);
     let obj = String::from_utf8(imported.files[&file].clone()).unwrap();
-    assert!(obj.starts_with("v 0.0 0.0 0.0\nv 1.0 1.0 0.1\nv 0.30000000000000004 1e-7 0.5\n"));
+    assert!(
+        obj.starts_with("v 0.0 0.0 0.0\nv 1.0 1.0 0.1\nv 0.30000000000000004 1e-7 0.5\n"),
+        "{obj}"
+    );
     assert!(obj.ends_with("f 118 119 120\n"), "{obj}");
     imported.text("my.nff").unwrap();
 

@@ -69,6 +69,35 @@ fn defaults_are_those_of_the_classic_files() {
 }
 
 #[test]
+fn cameras_keep_every_field() {
+    let fields = "<viewPoint>1 2 3</viewPoint><viewDir>0 0 -2</viewDir><viewUp>0 3 0</viewUp>\
+                  <projNormal>0 1 4</projNormal><viewWidth>5</viewWidth><viewHeight>6</viewHeight>";
+    let camera = |kind: &str, more: &str| {
+        let camera = format!("<camera{kind}>{fields}{more}</camera>");
+        let old = "<camera><viewPoint>0 0 5</viewPoint></camera>";
+        assert!(BALL.contains(old));
+        let imported = read(BALL.replace(old, &camera)).unwrap();
+        assert_eq!(imported.lost, []);
+        imported.scene.camera
+    };
+    let (view_point, view_dir, view_up) = ([1.0, 2.0, 3.0], [0.0, 0.0, -2.0], [0.0, 3.0, 0.0]);
+    let (proj_normal, view_width, view_height) = (Some([0.0, 1.0, 4.0]), 5.0, 6.0);
+    let perspective = Camera::Perspective {
+        view_point,
+        view_dir,
+        view_up,
+        proj_normal,
+        view_width,
+        view_height,
+        proj_distance: 7.0,
+    };
+    assert_eq!(camera("", "<projDistance>7</projDistance>"), perspective);
+    let parallel =
+        Camera::Parallel { view_point, view_dir, view_up, proj_normal, view_width, view_height };
+    assert_eq!(camera(" type=\"OrthographicCamera\"", ""), parallel);
+}
+
+#[test]
 fn the_convention_is_asked_for_or_guessed_and_said() {
     #[track_caller]
     fn check(text: &str, expected: Shading, said: &str) {

@@ -62,10 +62,14 @@ fn a_million_elements_in_each_other_are_a_clear_error() {
 
 #[test]
 fn as_many_groups_as_are_allowed_make_a_scene() {
-    let inside = "<surface type=\"Group\"><rotate>1 2 3</rotate>".repeat(MOST_GROUPS)
-        + "<surface type=\"Sphere\"><shader type=\"Normal\"/></surface>"
-        + &"</surface>".repeat(MOST_GROUPS);
-    with(&inside).unwrap().text("a.xml").unwrap();
+    let nested = |depth: usize| {
+        "<surface type=\"Group\"><rotate>1 2 3</rotate>".repeat(depth)
+            + "<surface type=\"Sphere\"><shader type=\"Normal\"/></surface>"
+            + &"</surface>".repeat(depth)
+    };
+    with(&nested(MOST_GROUPS)).unwrap().text("a.xml").unwrap();
+    let problems = with(&nested(MOST_GROUPS + 1)).unwrap_err();
+    assert!(problems[0].message.contains("groups in each other"), "{problems:?}");
 }
 
 #[test]
