@@ -9,6 +9,7 @@ use harness::overrides::{self, Filter, Overrides, Sampler};
 use harness::store::FolderAssets;
 use harness::suite::{Suite, name_of};
 use harness::{golden, picture_file};
+use interchange::export::{Dialect, export};
 use interchange::import::{Source, Unreadable, Wishes, import};
 
 use crate::{Answer, CannotAsk, Here};
@@ -140,11 +141,11 @@ fn from_json(label: &str, path: &Path) -> Result<Fixture, String> {
         });
         said.collect::<String>()
     })?;
-    let text = scene::write(&scene.scene)?;
     // Its problems are told without their places: those of the text are not the file's.
-    if let Err(problems) = scene::recompile(&scene.scene, &assets, Build::default()) {
-        return Err(problems.iter().map(|problem| format!("{label}: {problem}\n")).collect());
-    }
+    let exported = export(Dialect::Ron, &scene.scene, &assets)
+        .map_err(|problems| format!("{label}: {problems}\n"))?;
+    let text = exported.files.get(&exported.main).map(Vec::as_slice).unwrap_or_default();
+    let text = String::from_utf8_lossy(text);
     Fixture::read(label, &text, &assets, Build::default())
 }
 
