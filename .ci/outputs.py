@@ -20,9 +20,20 @@ def places(value, path=()):
         yield from places(inner, (*path, key))
 
 
-def damaged(document, optional):
+def one_of_each(found):
+    """Of places that differ in numbers and in renderers' names only, the first of each type."""
+    seen = set()
+    for path, value in found:
+        by_name = [i + 1 for i, key in enumerate(path) if key in ("cells", "results")]
+        kind = tuple("*" if isinstance(key, int) or i in by_name else key for i, key in enumerate(path))
+        if (kind, type(value)) not in seen:
+            seen.add((kind, type(value)))
+            yield path, value
+
+
+def damaged(document, optional, choose=iter):
     """Documents that are wrong in one place: a key more, a key less, another type."""
-    for path, value in places(document):
+    for path, value in choose(places(document)):
         def changed(change):
             copied = copy.deepcopy(document)
             *way, last = ("root", *path)
@@ -53,7 +64,7 @@ def may_be(path, value, other):
     return isinstance(other, float) and isinstance(value, (int, float, type(None)))
 
 
-def hold_json(file, name, optional=frozenset()):
+def hold_json(file, name, optional=frozenset(), choose=iter):
     """The document is by its schema, and nothing near it is."""
     schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text())
     jsonschema.Draft202012Validator.check_schema(schema)
@@ -62,7 +73,7 @@ def hold_json(file, name, optional=frozenset()):
     for error in validator.iter_errors(document):
         sys.exit(f"{file}: {error.json_path}: {error.message}")
     tried = 0
-    for what, wrong in damaged(document, optional):
+    for what, wrong in damaged(document, optional, choose):
         tried += 1
         if validator.is_valid(wrong):
             sys.exit(f"{name}.schema.json: takes {file.name}, {what}")
@@ -110,6 +121,11 @@ def main(folder):
         if metric["description"] != of_check[name]["description"]:
             sys.exit(f"{name}: described in two ways by the two schemas")
     hold_xml(folder / "all.xml", document)
+    card = folder / "cards/few/scorecard.json"
+    ids = {renderer["id"] for renderer in json.loads(card.read_text())["renderers"]}
+    hold_json(card, "scorecard", ids, one_of_each)
+    hold_json(folder / "cards/empty/scorecard.json", "scorecard")
+    hold_json(folder / "cards/grade/grade.json", "grade", choose=one_of_each)
 
 
 main(pathlib.Path(sys.argv[1]))

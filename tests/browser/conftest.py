@@ -2,6 +2,7 @@
 
 import json
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ MANY = 2000
 
 def pytest_addoption(parser):
     parser.addoption("--program", required=True, help="the xtask to test")
+    parser.addoption("--scorecards", required=True, help="the example that writes scorecards")
     parser.addoption("--chromium", required=True, help="the browser's program")
     parser.addoption("--shots", help="a folder for pictures of the pages")
 
@@ -48,6 +50,14 @@ odd_page = suite_page("odd", suites.odd, 1)
 unreadable_page = suite_page("unreadable", lambda root, _: suites.unreadable(root), 1)
 green_page = suite_page("green", lambda root, _: suites.green(root), 0)
 many_page = suite_page("many", lambda root, _: suites.many(root, MANY), 1)
+
+
+@pytest.fixture(scope="session")
+def cards(folder, request):
+    """Scorecards and a grade, by the names of their folders."""
+    out = folder / "cards"
+    subprocess.run([request.config.getoption("--scorecards"), suites.REPOSITORY, out], check=True)
+    return out
 
 
 def changed_page(page, name, change):

@@ -1,7 +1,8 @@
-//! What goldray's command lines share: how a verb ends, where it was given, how
-//! far it is. `xtask` is one of them, `xtask-stress` the other.
+//! goldray's command line, and what it shares with that of `xtask-stress`: how a
+//! verb ends, where it was given, how far it is.
 
 pub mod browser;
+pub mod cli;
 pub mod interrupt;
 pub mod look;
 pub mod progress;
@@ -9,6 +10,7 @@ pub mod rebuild;
 pub mod say;
 pub mod serve;
 pub mod terminal;
+mod verb;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -128,7 +130,7 @@ impl Here {
     pub fn may_write(&self, path: &Path) -> Result<(), CannotAsk> {
         if let Ok(suite) = self.suite() {
             // What is in the artifacts' folder is gone with the next check.
-            for folder in ["fixtures", "golden", Suite::ARTIFACTS, Suite::CACHE] {
+            for folder in ["fixtures", "golden", Suite::ARTIFACTS, Suite::CONFORM, Suite::CACHE] {
                 if store::is_inside(path, &suite.root().join(folder)) {
                     let what = format!("expected a place outside of the suite's {folder}/");
                     return Err(CannotAsk::file(path, &what));

@@ -3,10 +3,11 @@
 use std::ffi::OsString;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
+use conform::process::{Bounds, Ended, Group, end_of};
 use harness::store::{self, Scratch};
 use harness::suite::Suite;
 use serde_json::Value;
@@ -39,8 +40,6 @@ pub fn repository(suite: &Suite) -> Option<PathBuf> {
 /// # Errors
 /// There is no cargo, or it says nothing of what it built.
 pub fn build(root: &Path, interrupt: &Interrupt) -> Result<Built, CannotAsk> {
-    /// How often it is looked whether it is done.
-    const LOOK_EVERY: Duration = Duration::from_millis(50);
     // A compiler that is stopped leaves files behind: here, they go away.
     let scratch = Scratch::new()?;
     // The cargo that runs this, if one does.
@@ -50,24 +49,19 @@ pub fn build(root: &Path, interrupt: &Interrupt) -> Result<Built, CannotAsk> {
     command.args(["--message-format", "json-render-diagnostics"]);
     command.current_dir(root).env("TMPDIR", scratch.path("")).env_remove(RESUMED);
     command.stdin(Stdio::null()).stdout(Stdio::piped());
-    own_group(&mut command);
     let failed = |error: std::io::Error| CannotAsk::file(Path::new(&cargo), &error.to_string());
-    let mut child = command.spawn().map_err(failed)?;
-    let stdout = child.stdout.take();
+    // With the compilers that it starts, so that all of them can be stopped.
+    let mut group = Group::start(&mut command).map_err(failed)?;
+    let stdout = group.child().stdout.take();
     let messages = thread::spawn(move || {
         let mut text = String::new();
         // What cannot be read has no program in it.
         let _ = stdout.map(|mut stdout| stdout.read_to_string(&mut text));
         text
     });
-    let status = loop {
-        if let Some(status) = child.try_wait().map_err(failed)? {
-            break status;
-        }
-        if interrupt.wait(LOOK_EVERY) {
-            stop(&mut child);
-            return Ok(Built::Interrupted);
-        }
+    let bounds = Bounds { time: Duration::MAX, growth: None, stop: &|time| interrupt.wait(time) };
+    let Ended::Alone(status) = end_of(&mut group, &bounds).map_err(failed)? else {
+        return Ok(Built::Interrupted);
     };
     if !status.success() {
         return Ok(Built::Failed);
@@ -82,28 +76,6 @@ fn executable(message: &str) -> Option<PathBuf> {
     let message: Value = serde_json::from_str(message).ok()?;
     let is_ours = message["reason"] == "compiler-artifact" && message["target"]["name"] == "xtask";
     message["executable"].as_str().filter(|_| is_ours).map(PathBuf::from)
-}
-
-/// With the compilers that it starts, so that all of them can be stopped.
-#[cfg(unix)]
-fn own_group(command: &mut Command) {
-    std::os::unix::process::CommandExt::process_group(command, 0);
-}
-
-#[cfg(not(unix))]
-fn own_group(_: &mut Command) {}
-
-/// Stops a program and what it has started, and waits for it.
-fn stop(child: &mut Child) {
-    #[cfg(unix)]
-    {
-        use nix::sys::signal::{Signal, killpg};
-        let group = i32::try_from(child.id()).map(nix::unistd::Pid::from_raw);
-        // What has ended by itself need not be stopped.
-        let _ = group.map(|group| killpg(group, Signal::SIGKILL));
-    }
-    let _ = child.kill();
-    let _ = child.wait();
 }
 
 /// The variable that tells a program that is begun anew where it served.

@@ -2,6 +2,7 @@
 
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
+use harness::called::command;
 use harness::report::{Reader, Summary, brief_line, full_line, outcome_line};
 use harness::slow::{SLOW_MS, slowest};
 use harness::suite::Suite;
@@ -83,9 +84,11 @@ impl Say {
             let seconds = slow.render_ms / 1e3;
             let (flag, word) = (&reader.root_flag, shell_word(&slow.name));
             println!(
-                "slow: {} took {seconds:.1} s beside the others: {} | all of it: cargo xtask{flag} \
+                "slow: {} took {seconds:.1} s beside the others: {} | all of it: {}{flag} \
                  render {word} --explain",
-                slow.name, slow.needs
+                slow.name,
+                slow.needs,
+                command()
             );
         }
     }

@@ -11,6 +11,20 @@
 //! A renderer that crashes, hangs or writes garbage is an [`Outcome`], never an
 //! `Err`. Files are opened by the store of the harness; nothing is printed.
 
+pub mod adapter;
+pub mod card;
+pub mod consensus;
+pub mod grade;
+pub mod judge;
+mod objects;
+pub mod outcome;
+mod page;
+mod pictures;
+pub mod process;
 pub mod result;
+pub mod run;
+pub mod trial;
+mod xml;
 
+pub use objects::{Objects, Seen, objects_of};
 pub use result::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};

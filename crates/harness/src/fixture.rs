@@ -125,6 +125,11 @@ impl Fixture {
         Ok(render(&scene.map_err(|why| format!("the related scene is refused: {why}"))?))
     }
 
+    /// What was written, without its check.
+    pub fn scene_file(&self) -> scene::SceneFile {
+        self.file.clone().without_check()
+    }
+
     /// The files that its scene names, with what they hold.
     pub fn assets(&self) -> &BTreeMap<String, Vec<u8>> {
         &self.assets

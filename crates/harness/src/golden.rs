@@ -5,21 +5,17 @@ mod layout;
 #[cfg(test)]
 mod tests;
 
-use png::{BitDepth, ColorType, Decoder, Filter, Limits, Transformations};
+use png::Filter;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use tracer::{Scene, Size};
 
 use crate::digest;
 use crate::encode::EncodedImage;
-use crate::lfs::pointer_problem;
+use crate::picture_file::png::{Decoded, decode};
 use layout::Layout;
 
 /// The keyword of the PNG text chunk that holds the provenance.
-const KEYWORD: &str = "goldray";
-
-/// The most memory that decoding may take beside the picture, in bytes.
-const DECODER_BYTES: usize = 1 << 26;
+pub(crate) const KEYWORD: &str = "goldray";
 
 /// Which scene a golden was accepted for: content hashes that survive renames
 /// and squashed histories, and that no comment or space in the fixture changes.
@@ -122,7 +118,7 @@ pub fn to_png(picture: &EncodedImage, provenance: Option<&Provenance>) -> Result
 ///
 /// # Errors
 /// What the encoder says.
-pub(crate) fn page_png(picture: &EncodedImage) -> Result<Vec<u8>, String> {
+pub fn page_png(picture: &EncodedImage) -> Result<Vec<u8>, String> {
     let layout = Layout::gray(picture).unwrap_or_else(|| Layout::rgb(picture));
     layout.to_png(picture.size(), Filter::Adaptive, None)
 }
@@ -165,72 +161,13 @@ pub fn smallest_png(picture: &EncodedImage, provenance: &Provenance) -> Result<V
 /// or partly transparent, none of which can be compared without losing
 /// something.
 pub fn from_png(bytes: &[u8]) -> Result<Golden, String> {
-    if let Some(problem) = pointer_problem(bytes, "picture") {
-        return Err(problem);
-    }
-    check_chunks(bytes)?;
-    let damaged = |error: png::DecodingError| format!("is not a readable PNG: {error}");
-    let mut decoder =
-        Decoder::new_with_limits(std::io::Cursor::new(bytes), Limits { bytes: DECODER_BYTES });
-    decoder.set_transformations(Transformations::EXPAND);
-    decoder.set_ignore_iccp_chunk(true);
-    let mut reader = decoder.read_info().map_err(damaged)?;
-    let Size { width, height } = Size { width: reader.info().width, height: reader.info().height };
-    if u64::from(width) * u64::from(height) > Scene::MAX_PIXELS {
-        return Err(format!("is {width} x {height}, more pixels than any picture here may have"));
-    }
-    let length = reader.output_buffer_size().ok_or("is too large to read")?;
-    let mut pixels = vec![0; length];
-    let frame = reader.next_frame(&mut pixels).map_err(damaged)?;
-    // The rest of the file, its end mark included, must be there as well.
-    reader.finish().map_err(damaged)?;
-    pixels.truncate(frame.buffer_size());
-
-    if frame.bit_depth != BitDepth::Eight {
+    let Decoded { size, width, rgb, texts } = decode(bytes)?;
+    if width != 1 {
         return Err("has 16 bits a channel: expected 8".to_owned());
     }
-    let opaque = |channels: usize| pixels.chunks_exact(channels).all(|p| p[channels - 1] == 255);
-    let transparent = || "is partly transparent: expected an opaque picture".to_owned();
-    let rgb = match frame.color_type {
-        ColorType::Rgb => pixels,
-        ColorType::Rgba if opaque(4) => {
-            pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect()
-        }
-        ColorType::Grayscale => pixels.iter().flat_map(|&v| [v; 3]).collect(),
-        ColorType::GrayscaleAlpha if opaque(2) => {
-            pixels.as_chunks::<2>().0.iter().flat_map(|&[v, _]| [v; 3]).collect()
-        }
-        ColorType::Rgba | ColorType::GrayscaleAlpha => return Err(transparent()),
-        ColorType::Indexed => return Err("has a palette that does not expand".to_owned()),
-    };
-    let size = Size { width: frame.width, height: frame.height };
     let picture = EncodedImage::from_bytes(size, rgb).ok_or("has a wrong count of pixels")?;
-    let mut texts = reader.info().uncompressed_latin1_text.iter();
-    let note = texts.find(|text| text.keyword == KEYWORD).and_then(|text| Note::read(&text.text));
+    let note = texts.iter().find(|(keyword, _)| keyword == KEYWORD);
+    let note = note.and_then(|(_, text)| Note::read(text));
     let (provenance, accepted) = note.map(|note| (note.provenance, note.picture)).unzip();
     Ok(Golden { picture, provenance, accepted: accepted.flatten(), file_bytes: bytes.len() })
-}
-
-/// Whether the file is one PNG picture and nothing else: whole chunks up to the
-/// end mark, no animation, one note at most.
-fn check_chunks(bytes: &[u8]) -> Result<(), String> {
-    const SIGNATURE: usize = 8;
-    /// Length, type and checksum of a chunk.
-    const FRAME: usize = 12;
-    let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
-    let mut notes = 0;
-    while let Some((length, after)) = rest.split_first_chunk::<4>() {
-        let length = u32::from_be_bytes(*length) as usize;
-        let kind = after.get(..4).unwrap_or_default();
-        match kind {
-            b"acTL" => return Err("is animated: expected one picture".to_owned()),
-            b"tEXt" if after[4..].starts_with(KEYWORD.as_bytes()) => notes += 1,
-            b"IEND" if rest.len() > length.saturating_add(FRAME) => {
-                return Err("has something behind its end".to_owned());
-            }
-            _ => {}
-        }
-        rest = rest.get(length.saturating_add(FRAME)..).unwrap_or_default();
-    }
-    if notes > 1 { Err(format!("has {notes} notes of its scene: expected one")) } else { Ok(()) }
 }

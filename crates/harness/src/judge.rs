@@ -2,6 +2,7 @@
 //!
 //! A mismatch is a value here, never an error.
 
+use crate::called::command;
 use crate::encode::EncodedImage;
 use crate::expectation::Rendered;
 use crate::fixture::Fixture;
@@ -202,9 +203,11 @@ fn against_golden(
         }
         if provenance.schema != now.schema {
             findings.push(format!(
-                "the golden's note is of version {}, expected {}: `cargo xtask bless --repack` \
-                 renews notes of an earlier version",
-                provenance.schema, now.schema
+                "the golden's note is of version {}, expected {}: `{} bless --repack` renews notes of \
+                 an earlier version",
+                provenance.schema,
+                now.schema,
+                command()
             ));
             verdicts.push(Verdict::StaleGolden);
         }

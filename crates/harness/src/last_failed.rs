@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use crate::called::command;
 use crate::store::{self, StoreError};
 use crate::suite::{Selection, Suite};
 use crate::verdict::{Outcome, Verdict};
@@ -28,9 +29,10 @@ struct Failed {
 pub enum LastFailedError {
     /// Nobody knows what failed.
     #[error(
-        "expected the names of what failed in the last check, found none in {}: run `cargo xtask \
+        "expected the names of what failed in the last check, found none in {}: run `{} \
          check` once",
-        Suite::FAILED
+        Suite::FAILED,
+        command()
     )]
     Unknown,
     /// Nothing failed.

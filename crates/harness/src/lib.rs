@@ -15,6 +15,7 @@ pub mod blame;
 pub mod bless;
 pub mod block;
 pub mod calibrate;
+pub mod called;
 pub mod case;
 pub mod check;
 pub mod counts;

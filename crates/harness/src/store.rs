@@ -4,7 +4,9 @@
 //! file in the same folder, then renamed.
 #![allow(clippy::disallowed_methods)]
 
+mod extent;
 mod folder_assets;
+mod processes;
 mod scratch;
 mod stamp;
 #[cfg(test)]
@@ -18,7 +20,9 @@ use std::sync::{OnceLock, RwLock};
 use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
+pub use extent::{folder_bytes, is_program};
 pub use folder_assets::FolderAssets;
+pub use processes::processes_with;
 pub use scratch::Scratch;
 pub use stamp::{Found, Stamp, stamps};
 

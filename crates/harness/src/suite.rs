@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use crate::called::command;
 use crate::filter::{self, FilterError};
 use crate::store::{self, StoreError};
 
@@ -26,10 +27,17 @@ pub struct Selection {
 #[derive(Debug, thiserror::Error)]
 pub enum SuiteError {
     /// There is no suite here.
-    #[error("{}: expected a folder with `fixtures/` in it, found none", .0.display())]
+    #[error(
+        "{}: expected a folder with `fixtures/` in it, found none from here up; to begin one here, \
+         make that folder, then: {} new area/name",
+        .0.display(), command()
+    )]
     NoSuite(PathBuf),
     /// There is nothing in it.
-    #[error("{}: expected at least one fixture (*.ron), found none", .0.display())]
+    #[error(
+        "{}: expected at least one fixture (*.ron), found none; to write one: {} new area/name",
+        .0.display(), command()
+    )]
     Empty(PathBuf),
     /// A folder that would be in the way of what a check writes.
     #[error("{}: expected another name for the outermost folder: a check writes a file of this name beside its pictures", .0.display())]
@@ -94,6 +102,10 @@ impl Suite {
     /// The page that a check writes, relative to the suite.
     pub const REPORT: &str = "target/goldray/report.html";
 
+    /// The folder for what other renderers leave behind, relative to the suite. It
+    /// is no part of [`Suite::ARTIFACTS`], which every check empties.
+    pub const CONFORM: &str = "target/goldray-conform";
+
     /// The folder for what one run tells the next, relative to the suite.
     pub const CACHE: &str = "target/goldray-cache";
 
@@ -133,7 +145,7 @@ impl Suite {
             return Err(SuiteError::Reserved(self.fixture_path(name)));
         }
         let written: Vec<_> = filters.iter().map(|filter| name_among(&known, filter)).collect();
-        let selected = filter::select(&known, &written, "cargo xtask list")?;
+        let selected = filter::select(&known, &written, &format!("{} list", command()))?;
         let is_selected = |name: &String| filters.is_empty() || selected.contains(name);
         let has_fixture: BTreeSet<_> = fixtures.iter().collect();
         Ok(Selection {

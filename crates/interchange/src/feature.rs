@@ -70,6 +70,9 @@ features! {
         Mesh,
         /// Shapes in a space of their own.
         Group,
+        /// A round shape, or a mesh with normals, under a transform that does not
+        /// keep angles. Only writers of scenes ask for it.
+        StretchedRound,
     }
     "materials": {
         /// A color without light.
@@ -80,6 +83,8 @@ features! {
         Lambert,
         /// Blinn and Phong's highlight.
         BlinnPhong,
+        /// One that is not gray. Only writers of scenes ask for it.
+        ColoredHighlight,
     }
     "lights": {
         /// A light at a point, as bright at any distance.
@@ -102,6 +107,12 @@ features! {
         Attenuated,
         /// `kd / pi`, the highlight times the cosine.
         Radiometric,
+        /// Surfaces that show their backs, by a normal that is not turned. Only
+        /// writers of scenes ask for it, who look at the picture for it.
+        BackSides,
+        /// A highlight of a light that is behind the surface. Only writers of
+        /// scenes ask for it, who look at the picture for it.
+        HighlightFromBehind,
     }
     "pictures": {
         /// White where something is.

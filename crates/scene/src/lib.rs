@@ -30,6 +30,7 @@ pub mod format;
 mod load;
 mod mesh;
 mod places;
+mod read;
 mod report;
 mod visible;
 mod write;
@@ -38,8 +39,9 @@ pub use assets::{Assets, MAX_ASSET_BYTES, MAX_SCENE_BYTES, NoAssets, check_path}
 pub use diagnose::{Problem, Span, Step, line_column, nearest};
 pub use format::{Encoding, SceneFile, Unchecked, VERSION};
 pub use load::{Check, Loaded, load, parse, recompile, span_of};
-pub use mesh::is_mesh;
+pub use mesh::{MeshData, is_mesh, read as read_mesh};
 pub use places::{Place, object_places};
+pub use read::read;
 pub use report::report;
 pub use visible::{is_invisible, visible};
 pub use write::write;

@@ -167,6 +167,27 @@ impl Camera {
         Self::new(&view, Projection::Perspective { proj_distance: 1.0 })
     }
 
+    /// The lecture's `e`: the eye of a perspective view, the middle of the window
+    /// of a parallel one.
+    pub fn eye(&self) -> DVec3 {
+        self.e
+    }
+
+    /// The window's axes of length 1: to the right, and upwards.
+    pub fn axes(&self) -> [UnitVec; 2] {
+        [self.u, self.v]
+    }
+
+    /// The view's direction, of length 1.
+    pub fn forward(&self) -> UnitVec {
+        self.forward
+    }
+
+    /// How its rays leave the window.
+    pub fn projection(&self) -> Projection {
+        self.projection
+    }
+
     /// Width of the view window.
     pub fn view_width(&self) -> f64 {
         self.view_width

@@ -1,12 +1,14 @@
 //! `render`: the lecture's two loops over the pixels, on all threads.
 
 mod adaptive;
+mod edges;
 mod film;
 mod filter;
 mod objects;
 mod pattern;
 mod samples;
 
+pub use edges::{Around, edges};
 pub use filter::Filter;
 pub use objects::objects_seen;
 pub use samples::{Sampler, Samples};

@@ -52,7 +52,7 @@ impl Show {
 ///
 /// Source: the finalizer of Steele, Lea, Flood, "Fast Splittable Pseudorandom
 /// Number Generators", 2014.
-fn id_color(id: u32) -> Rgb {
+pub fn id_color(id: u32) -> Rgb {
     let mut z = (u64::from(id) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);

@@ -113,6 +113,11 @@ impl Transform {
         Self::from_parts(DAffine3::from_mat3(turn), turn.transpose())
     }
 
+    /// The map `x_parent = L x_object + T`.
+    pub fn affine(&self) -> DAffine3 {
+        self.parent_from_object
+    }
+
     /// Whether this changes nothing.
     pub fn is_identity(&self) -> bool {
         self.parent_from_object == DAffine3::IDENTITY

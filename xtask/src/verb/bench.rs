@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 use harness::counts;
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
 
 use super::elsewhere::{self, Passed};
 

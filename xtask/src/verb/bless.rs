@@ -4,14 +4,15 @@
 use std::path::{Path, PathBuf};
 
 use harness::bless::{Blessed, Moved, Plan, PlanError, commit, propose, propose_again};
+use harness::called::command;
 use harness::digest;
 use harness::repack::{Repacked, repack};
 use harness::report::{Reader, numbers};
 use harness::store;
 use harness::suite::{Selection, Suite};
 
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `bless`.
 #[derive(Debug, clap::Args)]
@@ -167,12 +168,13 @@ fn say(here: &Here, suite: &Suite, all: Result<Vec<(String, Blessed)>, Vec<Moved
 pub(crate) fn say_what_follows(suite: &Suite, reader: &Reader) {
     let flag = &reader.root_flag;
     if store::is_file(&suite.root().join(Suite::CONTACT_SHEET)) {
-        println!("then redraw {}: cargo xtask{flag} contact-sheet", Suite::CONTACT_SHEET);
+        println!("then redraw {}: {}{flag} contact-sheet", Suite::CONTACT_SHEET, command());
     }
     if store::is_file(&suite.root().join(digest::TABLE)) {
         println!(
-            "then, where linear pictures changed, rewrite {}: cargo xtask{flag} digest --write",
-            digest::TABLE
+            "then, where linear pictures changed, rewrite {}: {}{flag} digest --write",
+            digest::TABLE,
+            command()
         );
     }
 }

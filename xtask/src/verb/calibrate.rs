@@ -10,8 +10,8 @@ use harness::store;
 use harness::suite::Suite;
 use harness::{golden, metric};
 
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 use super::elsewhere::{Program, status};
 

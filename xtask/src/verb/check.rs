@@ -4,10 +4,10 @@ mod outputs;
 
 use harness::suite::Suite;
 
+use crate::look::{Ask, How, look};
+use crate::say::Say;
+use crate::{Answer, CannotAsk, Here};
 use outputs::Outputs;
-use xtask::look::{Ask, How, look};
-use xtask::say::Say;
-use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `check`.
 #[derive(Debug, clap::Args)]

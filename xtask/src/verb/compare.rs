@@ -9,20 +9,20 @@ use harness::report::{comparison_json, comparison_lines};
 use harness::store;
 use serde_json::json;
 
-use xtask::{Answer, CannotAsk};
+use crate::{Answer, CannotAsk};
 
 /// Flags of `compare`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
-    /// A PNG or EXR file
+    /// A PNG, EXR, PFM or PPM file
     golden: PathBuf,
-    /// A PNG or EXR file of the same size
+    /// A file of the same size
     actual: PathBuf,
     /// As JSON
     #[arg(long)]
     json: bool,
-    /// How linear pictures (EXR) become 8 bits
+    /// How linear pictures (EXR, PFM) become 8 bits
     #[arg(long, value_enum, default_value = "gamma22")]
     encoding: Encoding,
 }

@@ -2,7 +2,7 @@
 
 use clap_complete::{Shell, generate};
 
-use xtask::Answer;
+use crate::Answer;
 
 /// Flags of `completions`.
 #[derive(Debug, clap::Args)]
@@ -32,6 +32,14 @@ Examples:
   PowerShell; both also in $PROFILE, with the output in a file:
     function goldray { cargo xtask @args }
     cargo xtask completions powershell | Out-String | Invoke-Expression";
+
+/// The same for what is called by its own name already.
+pub(crate) const INSTALLED: &str = "\
+Examples:
+  goldray completions bash > ~/.local/share/bash-completion/completions/goldray
+  goldray completions zsh > ~/.zfunc/_goldray
+  goldray completions fish > ~/.config/fish/completions/goldray.fish
+  goldray completions powershell | Out-String | Invoke-Expression";
 
 pub(crate) fn run(mut command: clap::Command, args: &Args) -> Answer {
     // Printed here and not there, where a reader that leaves would be a panic.

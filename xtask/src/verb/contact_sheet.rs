@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
+use harness::called::command;
 use harness::suite::Suite;
 use harness::{golden, picture, run};
 
-use xtask::{Answer, CannotAsk, Here};
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `contact-sheet`.
 #[derive(Debug, clap::Args)]
@@ -35,7 +36,7 @@ pub(crate) fn run(here: &Here, Args { filters, out }: &Args) -> Result<Answer, C
             None => {
                 return Err(CannotAsk::file(
                     &path,
-                    "expected a golden: cargo xtask bless writes it",
+                    &format!("expected a golden: {} bless writes it", command()),
                 ));
             }
         }

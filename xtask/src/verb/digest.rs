@@ -1,11 +1,12 @@
 //! `digest`: the bits of every picture, printed, or held against the committed
 //! table that every target must reproduce.
 
+use harness::called::command;
 use harness::digest::{self, TABLE, Table};
 use harness::verdict::shell_word;
 
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `digest`.
 #[derive(Debug, clap::Args)]
@@ -39,7 +40,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let selected = suite.select(&args.filters)?.fixtures;
     let fixtures = suite.select(&[])?.fixtures;
     let flag = here.reader(&suite).root_flag;
-    let write = format!("cargo xtask{flag} digest --write");
+    let write = format!("{}{flag} digest --write", command());
     // Before rendering anything: where there is no good table, nothing follows.
     let table = if args.check || args.write && !args.filters.is_empty() {
         let none = || CannotAsk(format!("{TABLE}: there is no such file: {write} makes it"));

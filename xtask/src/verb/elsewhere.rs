@@ -5,8 +5,8 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 
+use crate::{Answer, CannotAsk, Here};
 use harness::store;
-use xtask::{Answer, CannotAsk, Here};
 
 /// Flags that another program reads.
 #[derive(Debug, clap::Args)]

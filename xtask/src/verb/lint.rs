@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use harness::lint::{self, finding_line, findings_json, rule_lines};
 use harness::sensitivity::Visible;
 
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `lint`.
 #[derive(Debug, clap::Args)]

@@ -7,7 +7,7 @@ use harness::report::metrics_json;
 use harness::suite::Suite;
 use serde_json::{Value, json};
 
-use xtask::{Answer, CannotAsk, Here};
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `list`.
 #[derive(Debug, clap::Args)]

@@ -3,7 +3,7 @@
 use harness::sample_mesh::sample_meshes;
 use harness::store;
 
-use xtask::{Answer, CannotAsk, Here};
+use crate::{Answer, CannotAsk, Here};
 
 /// What the help ends with.
 pub(crate) const EXAMPLES: &str = "\

@@ -9,8 +9,8 @@ use harness::store;
 use harness::suite::{Suite, name_of};
 use harness::template::check_name;
 
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 use super::reference::Reference;
 
@@ -33,7 +33,7 @@ pub(crate) struct Args {
 const EXAMPLES: &str = "\
 Examples:
   cargo xtask minimize mesh/large       while it breaks a relation
-  cargo xtask minimize mesh/large --reference ../before/target/release/xtask
+  cargo xtask minimize mesh/large --reference ../before/program
                                         while its picture is not that program's";
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {

@@ -1,9 +1,10 @@
 //! `new`: a small valid fixture to start from.
 
+use harness::called::command;
 use harness::template::new_fixture;
 use harness::verdict::shell_word;
 
-use xtask::{Answer, CannotAsk, Here};
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `new`.
 #[derive(Debug, clap::Args)]
@@ -20,10 +21,10 @@ Examples:
 pub(crate) fn run(here: &Here, Args { name }: &Args) -> Result<Answer, CannotAsk> {
     let suite = here.suite()?;
     let path = new_fixture(&suite, name)?;
-    let reader = here.reader(&suite);
+    let (reader, called) = (here.reader(&suite), command());
     let (prefix, flag, name) = (reader.path_prefix, reader.root_flag, shell_word(name));
     println!("wrote {prefix}{path}");
-    println!("look:    cargo xtask{flag} render {name} --out {prefix}target/new.png");
-    println!("accept:  cargo xtask{flag} bless {name}");
+    println!("look:    {called}{flag} render {name} --out {prefix}target/new.png");
+    println!("accept:  {called}{flag} bless {name}");
     Ok(Answer::Yes)
 }

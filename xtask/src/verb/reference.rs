@@ -1,25 +1,19 @@
 //! `Reference`: another build of this program, which is asked for pictures.
 
-use std::io::{Read, sink};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Stdio};
-use std::time::{Duration, Instant};
+use std::process::Command;
+use std::time::Duration;
 
+use crate::CannotAsk;
+use conform::process::{Bounds, Ended, never, run};
 use harness::encode::EncodedImage;
 use harness::fixture::Fixture;
 use harness::judge::Found;
 use harness::run::find_golden;
 use harness::store::{self, Scratch};
-use xtask::CannotAsk;
 
 /// How long it may take for a picture.
 const PATIENCE: Duration = Duration::from_mins(1);
-
-/// How often it is asked whether it has ended.
-const LOOK_EVERY: Duration = Duration::from_millis(2);
-
-/// How much of what it says is kept.
-const KEPT_BYTES: u64 = 4_096;
 
 /// Another build of this program.
 pub(crate) struct Reference {
@@ -60,13 +54,16 @@ impl Reference {
         let name = self.program.display();
         let mut command = Command::new(&self.program);
         command.arg("render").arg(&scene).arg("--out").arg(&picture);
-        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
-        let child = command.spawn().map_err(|error| format!("{name}: {error}"))?;
-        let (status, said) = end_of(child);
-        match status {
-            Ok(status) if status.success() => {}
-            Ok(status) => return Err(format!("{name}: {status}: {}", said.trim())),
-            Err(why) => return Err(format!("{name}: {why}")),
+        let bounds = Bounds { time: PATIENCE, growth: None, stop: &never };
+        let ran = run(&mut command, &bounds).map_err(|error| format!("{name}: {error}"))?;
+        match ran.ended {
+            Ended::Alone(status) if status.success() => {}
+            Ended::Alone(status) => {
+                return Err(format!("{name}: {status}: {}", ran.stderr.text().trim()));
+            }
+            Ended::OutOfTime | Ended::TooMuch | Ended::Stopped => {
+                return Err(format!("{name}: made no picture in {} s", PATIENCE.as_secs()));
+            }
         }
         match find_golden(&picture) {
             Found::Golden(golden) => Ok(golden.picture),
@@ -76,36 +73,4 @@ impl Reference {
             Found::Unreadable(why) => Err(format!("{name}: its picture {why}")),
         }
     }
-}
-
-/// How a program ends, and the first of what it says as errors.
-fn end_of(mut child: Child) -> (Result<ExitStatus, String>, String) {
-    let errors = child.stderr.take();
-    let listener = std::thread::spawn(move || {
-        let mut said = Vec::new();
-        if let Some(mut errors) = errors {
-            // The rest is heard as well, so that it is not kept waiting.
-            let _ = errors.by_ref().take(KEPT_BYTES).read_to_end(&mut said);
-            let _ = std::io::copy(&mut errors, &mut sink());
-        }
-        String::from_utf8_lossy(&said).into_owned()
-    });
-    let started = Instant::now();
-    let status = loop {
-        match child.try_wait() {
-            Ok(Some(status)) => break Ok(status),
-            Err(error) => break Err(error.to_string()),
-            Ok(None) if started.elapsed() < PATIENCE => std::thread::sleep(LOOK_EVERY),
-            Ok(None) => {
-                let _ = child.kill();
-                let _ = child.wait();
-                // What it has started may go on and hold its output open.
-                return (
-                    Err(format!("made no picture in {} s", PATIENCE.as_secs())),
-                    String::new(),
-                );
-            }
-        }
-    };
-    (status, listener.join().unwrap_or_default())
 }

@@ -9,7 +9,7 @@ use harness::overrides::{self, Filter, Overrides, Sampler};
 use harness::suite::{Suite, name_of};
 use harness::{golden, picture_file};
 
-use xtask::{Answer, CannotAsk, Here};
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `render`.
 #[derive(Debug, clap::Args)]

@@ -12,13 +12,13 @@ use harness::stamps::Stamps;
 use harness::suite::Suite;
 
 use super::bless::{by_hand, say_what_follows};
-use xtask::browser;
-use xtask::interrupt::Interrupt;
-use xtask::look::{Ask, How, Looked, look};
-use xtask::say::Say;
-use xtask::serve::{Site, serve};
-use xtask::terminal;
-use xtask::{Answer, CannotAsk, Here};
+use crate::browser;
+use crate::interrupt::Interrupt;
+use crate::look::{Ask, How, Looked, look};
+use crate::say::Say;
+use crate::serve::{Site, serve};
+use crate::terminal;
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `review`.
 #[derive(Debug, clap::Args)]

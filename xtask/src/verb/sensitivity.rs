@@ -3,14 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use harness::block;
+use harness::called::command;
 use harness::case::Case;
 use harness::encode::EncodedImage;
 use harness::golden;
 use harness::picture::{Heat, heat_map};
 use harness::sensitivity::{self, Cell, DEFECTS, Row, Smallest, Visible};
 
-use xtask::progress::Progress;
-use xtask::{Answer, CannotAsk, Here};
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `sensitivity`.
 #[derive(Debug, clap::Args)]
@@ -93,7 +94,7 @@ fn check(path: &Path, text: &str) -> Result<Answer, CannotAsk> {
         println!("{path} says what is measured");
         return Ok(Answer::Yes);
     }
-    println!("{path} is out of date: cargo xtask sensitivity --markdown {path}");
+    println!("{path} is out of date: {} sensitivity --markdown {path}", command());
     Ok(Answer::No)
 }
 

@@ -16,13 +16,13 @@ use harness::suite::Suite;
 
 use super::bless::by_hand;
 use super::review;
+use crate::interrupt::{Interrupt, end_at_once};
+use crate::look::{Ask, How, Looked, look};
+use crate::rebuild::{self, Built, become_program, build, repository};
+use crate::say::Say;
+use crate::serve::{Address, Site, Token, serve};
+use crate::{Answer, CannotAsk, Here};
 use seen::{Seen, say_paths};
-use xtask::interrupt::{Interrupt, end_at_once};
-use xtask::look::{Ask, How, Looked, look};
-use xtask::rebuild::{self, Built, become_program, build, repository};
-use xtask::say::Say;
-use xtask::serve::{Address, Site, Token, serve};
-use xtask::{Answer, CannotAsk, Here};
 
 /// Flags of `watch`.
 #[derive(Debug, clap::Args)]

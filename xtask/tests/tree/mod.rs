@@ -3,6 +3,7 @@
 #![allow(dead_code, unreachable_pub)]
 
 use std::fs;
+use std::path::Path;
 use std::process::{Command, Output};
 
 /// A white square in the middle of black, which renders in no time.
@@ -76,7 +77,12 @@ impl Tree {
 
     /// The binary with these arguments, to be started.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+        self.command_of(Path::new(env!("CARGO_BIN_EXE_xtask")), args)
+    }
+
+    /// The same with another binary.
+    pub(crate) fn command_of(&self, program: &Path, args: &[&str]) -> Command {
+        let mut command = Command::new(program);
         command.args(args).current_dir(self.0.path());
         // What a build server sets, which would change what is done.
         for variable in ["CI", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "GITHUB_WORKSPACE"] {

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use super::{Moved, Proposal, Proposals};
+use crate::called::command;
 use crate::suite::SuiteError;
 
 /// What was proposed.
@@ -117,7 +118,8 @@ impl Plan {
             schema: u32,
         }
         let not_one = |error: serde_json::Error| {
-            let what = format!("expected a plan as `cargo xtask bless --plan` writes it: {error}");
+            let made = format!("as `{} bless --plan` writes it", command());
+            let what = format!("expected a plan {made}: {error}");
             PlanError::NotOne(what)
         };
         let Version { schema } = serde_json::from_slice(bytes).map_err(not_one)?;

@@ -1,6 +1,7 @@
 //! What goldens' files keep, and which files are refused.
 
-use png::Encoder;
+use png::{BitDepth, ColorType, Decoder, Encoder};
+use tracer::Size;
 
 use super::*;
 

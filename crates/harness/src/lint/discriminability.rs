@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::{Around, Finding, Rule, finding, limits_path};
+use crate::called::command;
 use crate::case::Case;
 use crate::judge::is_caught;
 
@@ -71,7 +72,7 @@ fn wrong(case: &Case, name: &str, around: &Around<'_>) -> Option<Finding> {
         None => {
             let nearest = scene::nearest(name, around.all.keys().copied());
             let hint = nearest.map_or(String::new(), |name| format!("; did you mean {name}?"));
-            let help = format!("`cargo xtask list` shows all names{hint}");
+            let help = format!("`{} list` shows all names{hint}", command());
             (format!("expected a fixture with a golden, found \"{name}\""), help)
         }
     };

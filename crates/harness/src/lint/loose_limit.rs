@@ -3,6 +3,7 @@
 
 use super::{Around, Finding, Rule, finding, limits_path};
 use crate::calibrate::{MARGIN, calibrate_fixture};
+use crate::called::command;
 use crate::case::Case;
 
 pub(super) const RULE: Rule = Rule {
@@ -27,7 +28,7 @@ fn find(case: &Case, around: &Around<'_>) -> Vec<Finding> {
             "`{field}`: expected at most {MARGIN} times the measured spread, {may_be}, found \
              {found}"
         );
-        let help = format!("cargo xtask calibrate {} says what is justified", case.name);
+        let help = format!("{} calibrate {} says what is justified", command(), case.name);
         let path = ["check".into(), "limits".into(), field.into()];
         finding(case, &RULE, &path, message, help)
     });

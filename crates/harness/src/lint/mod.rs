@@ -15,6 +15,7 @@ use rayon::prelude::*;
 use scene::Step;
 
 use crate::calibrate::Ways;
+use crate::called::command;
 use crate::case::Case;
 use crate::judge::{Found, judge};
 use crate::sensitivity::Visible;
@@ -130,7 +131,7 @@ fn does_not_match(name: &str, why: &str) -> Finding {
         message: format!(
             "expected a fixture that matches its golden, found one that does not: {why}"
         ),
-        help: "run `cargo xtask check` first".to_owned(),
+        help: format!("run `{} check` first", command()),
     }
 }
 

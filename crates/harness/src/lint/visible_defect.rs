@@ -1,6 +1,7 @@
 //! `visible-defect`: damage that people see must not pass a fixture's limits.
 
 use super::{Around, Finding, Rule, finding, limits_path};
+use crate::called::command;
 use crate::case::Case;
 use crate::sensitivity::{DEFECTS, missed, with_unit};
 
@@ -18,8 +19,10 @@ fn find(case: &Case, around: &Around<'_>) -> Vec<Finding> {
              changes codes by up to {}",
             defect.name, miss.place, miss.change
         );
-        let help = "tighten the limits, or leave them out: `cargo xtask calibrate` says what the \
-                    tracer needs";
+        let help = format!(
+            "tighten the limits, or leave them out: `{} calibrate` says what the tracer needs",
+            command()
+        );
         Some(finding(case, &RULE, &limits_path(), message, help))
     };
     DEFECTS.iter().filter_map(one).collect()

@@ -10,6 +10,7 @@ mod simpler;
 
 use tracer::LinearImage;
 
+use crate::called::command;
 use crate::check::{Check, File};
 use crate::encode::EncodedImage;
 use crate::fixture::Fixture;
@@ -52,8 +53,9 @@ impl Smallest {
     pub fn text(&self, name: &str) -> Result<String, String> {
         let scene = scene::write(&self.file)?;
         Ok(format!(
-            "// What is left of {} by `cargo xtask minimize` while it fails:\n// {}\n{scene}",
+            "// What is left of {} by `{} minimize` while it fails:\n// {}\n{scene}",
             Suite::fixture_label(name),
+            command(),
             self.why
         ))
     }

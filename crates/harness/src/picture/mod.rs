@@ -8,4 +8,4 @@ mod strip;
 
 pub use contact_sheet::contact_sheet;
 pub use heat_map::{Heat, heat_map};
-pub use strip::{HEAT, difference, strip};
+pub use strip::{HEAT, difference, strip, strip_of};

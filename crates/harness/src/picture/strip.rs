@@ -30,9 +30,17 @@ pub const HEAT: [[u8; 3]; 8] = [
 /// under its name. What there is not is left out: a golden, or the difference
 /// of pictures of different sizes.
 pub fn strip(golden: Option<&EncodedImage>, actual: &EncodedImage) -> EncodedImage {
+    strip_of(("golden", golden), actual)
+}
+
+/// The same with another name in place of the golden's.
+pub fn strip_of(
+    (name, golden): (&str, Option<&EncodedImage>),
+    actual: &EncodedImage,
+) -> EncodedImage {
     let difference = golden.and_then(|golden| difference(golden, actual));
     let panels: Vec<(&str, &EncodedImage)> =
-        [("golden", golden), ("difference", difference.as_ref()), ("actual", Some(actual))]
+        [(name, golden), ("difference", difference.as_ref()), ("actual", Some(actual))]
             .into_iter()
             .filter_map(|(name, picture)| Some((name, picture?)))
             .collect();

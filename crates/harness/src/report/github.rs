@@ -24,7 +24,7 @@ pub fn annotations(outcomes: &[Outcome], reader: &Reader) -> String {
         let reasons = reasons(outcome, reader);
         let mut message: Vec<_> = reasons.iter().map(|why| why.trim_end().to_owned()).collect();
         message.extend(advice(outcome, reader));
-        message.push(format!("again: {}", rerun(outcome, reader)));
+        message.push(format!("again: {}", rerun(&outcome.name, reader)));
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,

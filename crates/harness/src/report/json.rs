@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::summary::summarize;
 use crate::blame::Blamed;
+use crate::called;
 use crate::metric::{Comparison, DIFFERENCE_STEPS, METRICS, Metric};
 use crate::verdict::{Origin, Outcome, Verdict};
 
@@ -65,7 +66,7 @@ pub(super) fn fixture_json(outcome: &Outcome) -> Map<String, Value> {
     put("line", json!(outcome.place.map(|place| place.0)));
     put("column", json!(outcome.place.map(|place| place.1)));
     put("blamed", blamed(&outcome.blamed));
-    put("command", json!(outcome.remedy().map(|remedy| format!("cargo xtask {remedy}"))));
+    put("command", json!(outcome.remedy().map(|remedy| format!("{} {remedy}", called::command()))));
     put("cached", json!(outcome.origin == Origin::Unchanged));
     put("audited", json!(matches!(outcome.origin, Origin::Audited | Origin::Belied)));
     fixture.extend(metrics(outcome.comparison.as_ref()));

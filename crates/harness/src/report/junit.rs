@@ -114,7 +114,7 @@ fn details(outcome: &Outcome, reader: &Reader) -> String {
     lines.extend(outcome.findings.iter().map(|finding| finding.trim_end().to_owned()));
     lines.extend(evidence(outcome, reader));
     lines.extend(advice(outcome, reader));
-    lines.push(format!("again: {}", rerun(outcome, reader)));
+    lines.push(format!("again: {}", rerun(&outcome.name, reader)));
     lines.join("\n")
 }
 

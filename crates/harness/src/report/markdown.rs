@@ -75,7 +75,7 @@ fn row(outcome: &Outcome, reader: &Reader) -> String {
     let what = match (command(outcome, reader), advice(outcome, reader)) {
         (Some(command), _) => format!("if meant: {}", code(&command)),
         (None, Some(advice)) => prose(&advice),
-        (None, None) => code(&rerun(outcome, reader)),
+        (None, None) => code(&rerun(&outcome.name, reader)),
     };
     format!(
         "| {} | {} | {} | {what} |\n",
@@ -85,8 +85,8 @@ fn row(outcome: &Outcome, reader: &Reader) -> String {
     )
 }
 
-/// Text in a cell of a table.
-fn prose(text: &str) -> String {
+/// Text in a cell of a table, or in any line of Markdown, that is nothing but text.
+pub fn prose(text: &str) -> String {
     // Without the space of no width, a name behind the one would be mentioned, and
     // a word between two of the others be a little picture.
     plain(text).replace("&#64;", "&#64;&#8203;").replace("&#58;", "&#58;&#8203;")
@@ -94,7 +94,7 @@ fn prose(text: &str) -> String {
 
 /// A name or a command in a cell of a table, to be copied letter by letter: no
 /// mention is made of what stands in it.
-fn code(text: &str) -> String {
+pub fn code(text: &str) -> String {
     format!("<code>{}</code>", plain(text))
 }
 

@@ -14,7 +14,7 @@ pub use github::annotations;
 pub(crate) use json::{blamed, distances};
 pub use json::{comparison_json, metrics_json, run_json};
 pub use junit::junit;
-pub use markdown::markdown;
+pub use markdown::{code as markdown_code, markdown, prose as markdown_text};
 pub use summary::{Summary, summarize};
 pub use text::{
     Reader, brief_line, comparison_lines, full_line, numbers, outcome_line, outcome_parts,

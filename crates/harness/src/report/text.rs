@@ -1,6 +1,7 @@
 //! Outcomes as lines for people.
 
 use crate::blame::Blamed;
+use crate::called;
 use crate::metric::{Comparison, METRICS};
 use crate::suite::Suite;
 use crate::verdict::{Origin, Outcome, Verdict, shell_word};
@@ -177,12 +178,12 @@ pub(super) fn advice(outcome: &Outcome, reader: &Reader) -> Option<String> {
 
 /// The whole command that settles it, if it was meant.
 pub(super) fn command(outcome: &Outcome, reader: &Reader) -> Option<String> {
-    outcome.remedy().map(|remedy| format!("cargo xtask{} {remedy}", reader.root_flag))
+    outcome.remedy().map(|remedy| format!("{}{} {remedy}", called::command(), reader.root_flag))
 }
 
 /// The command that judges it again.
-pub(super) fn rerun(outcome: &Outcome, reader: &Reader) -> String {
-    format!("cargo xtask{} check {}", reader.root_flag, shell_word(&outcome.name))
+pub(super) fn rerun(name: &str, reader: &Reader) -> String {
+    format!("{}{} check {}", called::command(), reader.root_flag, shell_word(name))
 }
 
 fn golden(outcome: &Outcome, reader: &Reader) -> String {

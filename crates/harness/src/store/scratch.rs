@@ -20,6 +20,11 @@ impl Scratch {
         folder.tempdir().map(Self).map_err(|error| StoreError::io(Path::new("."), &error))
     }
 
+    /// Where it is.
+    pub fn folder(&self) -> &Path {
+        self.0.path()
+    }
+
     /// Where a file of this name is in it.
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)

@@ -2,12 +2,21 @@
 //!
 //! To add a dialect: write its file, and add its line to [`Dialect`].
 
+mod mitsuba;
+mod plain;
+mod povray;
+mod ron;
+mod text;
+
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 use scene::{Assets, SceneFile, Unchecked};
 use serde::{Deserialize, Serialize};
 
 use crate::Feature;
+use plain::Plain;
+use text::number;
 
 /// A language in which a scene can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -30,6 +39,40 @@ pub enum Dialect {
     Obj,
 }
 
+impl Dialect {
+    /// All of them.
+    pub const ALL: &[Self] = &[
+        Self::Ron,
+        Self::Json,
+        Self::CornellXml,
+        Self::Nff,
+        Self::PovRay,
+        Self::Mitsuba,
+        Self::Pbrt,
+        Self::Obj,
+    ];
+
+    /// Its name, as in adapters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ron => "Ron",
+            Self::Json => "Json",
+            Self::CornellXml => "CornellXml",
+            Self::Nff => "Nff",
+            Self::PovRay => "PovRay",
+            Self::Mitsuba => "Mitsuba",
+            Self::Pbrt => "Pbrt",
+            Self::Obj => "Obj",
+        }
+    }
+}
+
+impl fmt::Display for Dialect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 /// A scene in a dialect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Exported {
@@ -37,15 +80,33 @@ pub struct Exported {
     pub main: String,
     /// All files by name, `main` among them, to be put into one folder.
     pub files: BTreeMap<String, Vec<u8>>,
+    /// Samples in each row and column of a pixel, where the files do not say so:
+    /// a renderer of one sample in the middle of each pixel takes them all in a
+    /// picture this many times as wide and as high, of which each square of
+    /// `grid` by `grid` pixels is then one, their mean. 1 where there is nothing
+    /// to do.
+    pub grid: u32,
 }
 
 /// Why a scene is not written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NotWritten {
-    /// The dialect has no words for these.
+    /// The dialect has no words for these, or not for these together.
     Cannot(BTreeSet<Feature>),
     /// The scene itself makes no sense, or a file that it names.
     Bad(String),
+}
+
+impl fmt::Display for NotWritten {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cannot(features) => {
+                let names: Vec<_> = features.iter().map(|feature| feature.name()).collect();
+                write!(f, "no words for {}", names.join(", "))
+            }
+            Self::Bad(why) => f.write_str(why),
+        }
+    }
 }
 
 /// Writes a scene that was read without problems; `assets` gives the files that
@@ -58,6 +119,11 @@ pub fn export(
     scene: &SceneFile<Unchecked>,
     assets: &dyn Assets,
 ) -> Result<Exported, NotWritten> {
-    let _ = (dialect, scene, assets);
-    Err(NotWritten::Cannot(crate::feature::features(scene)))
+    let plain = || Plain::new(scene, assets).map_err(NotWritten::Bad);
+    match dialect {
+        Dialect::PovRay => povray::write(&plain()?).map_err(NotWritten::Cannot),
+        Dialect::Mitsuba => mitsuba::write(&plain()?).map_err(NotWritten::Cannot),
+        Dialect::Ron => ron::write(scene, assets),
+        _ => Err(NotWritten::Cannot(crate::feature::features(scene))),
+    }
 }

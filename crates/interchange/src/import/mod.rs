@@ -3,13 +3,22 @@
 //! To add a format: write its file with a function that makes an [`Imported`] of
 //! a [`Source`], and add its line to `READERS`.
 
+mod cornell;
+mod files;
 mod gltf;
 mod mesh;
+mod nff;
 mod obj;
 mod ply;
+mod polygon;
+mod prove;
+mod report;
+mod sense;
 mod stl;
 #[cfg(test)]
 mod tests;
+mod text;
+mod wish;
 
 use scene::{Assets, SceneFile, Unchecked};
 
@@ -64,10 +73,13 @@ pub struct Wishes {
     pub camera: Option<scene::format::Camera>,
     /// The picture's size, in place of the file's own.
     pub image: Option<(u32, u32)>,
+    /// The shading convention, in place of a guess: the course's files do not say theirs.
+    pub shading: Option<scene::format::Shading>,
 }
 
 /// Reads a foreign scene. Files that it names are asked of `assets`, relative to
-/// its own folder.
+/// its own folder: a path that begins with `..` leads out of it, and whoever has
+/// only that folder refuses it.
 ///
 /// # Errors
 /// Every reason why there is no scene at all.
@@ -98,9 +110,11 @@ type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unrea
 
 /// Formats by the endings of their files' names, in lower case.
 const READERS: &[(&str, Reader)] = &[
-    ("glb", gltf::read),
-    ("gltf", gltf::read),
+    ("xml", cornell::read),
+    ("nff", nff::read),
     ("obj", obj::read),
     ("ply", ply::read),
     ("stl", stl::read),
+    ("gltf", gltf::read),
+    ("glb", gltf::read),
 ];

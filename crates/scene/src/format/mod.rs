@@ -98,6 +98,50 @@ pub struct SceneFile<Check = Unchecked> {
     pub check: Option<Check>,
 }
 
+impl<Check> SceneFile<Check> {
+    /// The same scene without what only its caller reads.
+    pub fn without_check(self) -> SceneFile<Unchecked> {
+        let Self {
+            version,
+            image,
+            camera,
+            objects,
+            lights,
+            materials,
+            shading,
+            shadows,
+            background,
+            exposure,
+            show,
+            samples_per_pixel,
+            sampler,
+            filter,
+            error,
+            encoding,
+            check: _,
+        } = self;
+        SceneFile {
+            version,
+            image,
+            camera,
+            objects,
+            lights,
+            materials,
+            shading,
+            shadows,
+            background,
+            exposure,
+            show,
+            samples_per_pixel,
+            sampler,
+            filter,
+            error,
+            encoding,
+            check: None,
+        }
+    }
+}
+
 /// The `check` of a caller that has none: no value of it can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Unchecked {}

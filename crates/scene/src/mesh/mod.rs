@@ -8,10 +8,13 @@ use tracer::shape::MeshNormals;
 
 /// What a mesh file holds; indices are checked by the tracer.
 #[derive(Debug, Clone)]
-pub(crate) struct MeshData {
-    pub(crate) vertices: Vec<DVec3>,
-    pub(crate) faces: Vec<[u32; 3]>,
-    pub(crate) normals: Option<MeshNormals>,
+pub struct MeshData {
+    /// Its corners.
+    pub vertices: Vec<DVec3>,
+    /// Its triangles, by the numbers of their corners.
+    pub faces: Vec<[u32; 3]>,
+    /// Normals at the triangles' corners, if it has them.
+    pub normals: Option<MeshNormals>,
 }
 
 /// Whether a file's name is that of a mesh.
@@ -31,7 +34,7 @@ pub fn is_mesh(path: &str) -> bool {
 ///
 /// # Errors
 /// What is wrong, as the end of a sentence that starts with the file's name.
-pub(crate) fn read(path: &str, bytes: &[u8]) -> Result<MeshData, String> {
+pub fn read(path: &str, bytes: &[u8]) -> Result<MeshData, String> {
     reader(path)?(bytes)
 }
 

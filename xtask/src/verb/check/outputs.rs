@@ -9,7 +9,7 @@ use harness::store;
 use harness::suite::Suite;
 use harness::verdict::Outcome;
 
-use xtask::{CannotAsk, Here};
+use crate::{CannotAsk, Here};
 
 /// Flags of what is written.
 #[derive(Debug, clap::Args)]

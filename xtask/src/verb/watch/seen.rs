@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use crate::interrupt::Interrupt;
 use harness::stamps::Stamps;
 use harness::suite::Suite;
-use xtask::interrupt::Interrupt;
 
 /// How the files looked at one moment.
 #[derive(PartialEq)]

@@ -3,18 +3,31 @@
 /// The page, with a place for the title, the style, the data and the script.
 pub(super) const PAGE: &str = include_str!("page.html");
 
+/// How every page of the project looks.
+pub(super) const BASE_STYLE: &str = include_str!("style.css");
+
 /// How it looks; a later one overrides.
-pub(super) const STYLE: &str =
-    concat!(include_str!("style.css"), include_str!("fixture.css"), include_str!("narrow.css"));
+pub(super) const STYLES: &[&str] =
+    &[BASE_STYLE, include_str!("fixture.css"), include_str!("narrow.css")];
+
+/// Elements of a page.
+pub(super) const ELEMENT: &str = include_str!("script/element.js");
+/// What is kept over a reload.
+pub(super) const STORED: &str = include_str!("script/stored.js");
+/// Light and dark.
+pub(super) const THEME: &str = include_str!("script/theme.js");
+/// Numbers as people read them.
+pub(super) const NUMBERS: &str = include_str!("script/numbers.js");
 
 /// What it does: parts of one function, in this order.
 pub(super) const SCRIPTS: &[&str] = &[
-    include_str!("script/element.js"),
+    ELEMENT,
     include_str!("script/data.js"),
+    STORED,
     include_str!("script/memory.js"),
-    include_str!("script/theme.js"),
+    THEME,
     include_str!("script/decode.js"),
-    include_str!("script/numbers.js"),
+    NUMBERS,
     include_str!("script/transfer.js"),
     include_str!("script/distance.js"),
     include_str!("script/select.js"),

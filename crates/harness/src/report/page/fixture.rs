@@ -6,7 +6,7 @@ use scene::{Encoding, MAX_SCENE_BYTES};
 use serde_json::{Map, Value, json};
 
 use super::super::json::fixture_json;
-use super::super::text::Reader;
+use super::super::text::{Reader, command, rerun};
 use crate::check::{Check, File};
 use crate::evidence::{Evidence, ObjectMap};
 use crate::limits::{Bound, Limits};
@@ -14,7 +14,7 @@ use crate::metric::{Comparison, Direction};
 use crate::run::read_golden;
 use crate::store;
 use crate::suite::Suite;
-use crate::verdict::{Outcome, shell_word};
+use crate::verdict::Outcome;
 
 /// The largest golden that is put into the page, in bytes: 64 MiB.
 const MAX_GOLDEN_BYTES: usize = 64 << 20;
@@ -50,7 +50,7 @@ pub(super) fn shown(suite: &Suite, outcome: &Outcome, has_linear: bool, reader: 
     let file = source.as_deref().and_then(scene::parse::<Check>);
     let more = json!({
         "path": format!("{}{}", reader.path_prefix, Suite::fixture_label(name)),
-        "rerun": format!("cargo xtask{} check {}", reader.root_flag, shell_word(name)),
+        "rerun": rerun(name, reader),
         "transfer": file.as_ref().map(transfer),
         "has_golden": golden.is_some(),
         "has_actual": evidence.is_some(),
@@ -58,8 +58,7 @@ pub(super) fn shown(suite: &Suite, outcome: &Outcome, has_linear: bool, reader: 
     });
     let mut entry = fixture_json(outcome);
     entry.extend(more.as_object().cloned().unwrap_or_default());
-    let command = outcome.remedy().map(|verb| format!("cargo xtask{} {verb}", reader.root_flag));
-    entry.insert("command".to_owned(), json!(command));
+    entry.insert("command".to_owned(), json!(command(outcome, reader)));
     let mut pictures = Map::new();
     pictures.insert("source".to_owned(), json!(source));
     pictures.insert("golden".to_owned(), json!(golden.map(|png| BASE64.encode(png))));

@@ -8,21 +8,23 @@
 
 mod assets;
 mod fixture;
+pub mod shell;
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::json::{metrics_json, summary_json};
 use super::summary::summarize;
 use super::text::Reader;
 use super::worst::failures;
+use crate::called;
 use crate::suite::Suite;
 use crate::verdict::{Outcome, Verdict};
-use assets::{PAGE, SCRIPTS, STYLE};
+use assets::{PAGE, SCRIPTS, STYLES};
 use fixture::{Shown, shown};
+use shell::{fill, put};
 
 /// How the page is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +78,7 @@ pub fn html(
     let report = json!({
         "schema": 1,
         "kind": kind.id(),
+        "called": called::command(),
         "root_flag": reader.root_flag,
         "summary": summary_json(outcomes, elapsed_ms),
         "metrics": metrics_json(),
@@ -87,7 +90,7 @@ pub fn html(
     for (number, shown) in all.iter().enumerate() {
         put(&mut data, &format!("fixture-{number}"), &shown.pictures);
     }
-    fill(&title(outcomes), &data)
+    fill(PAGE, &title(outcomes), STYLES, &data, SCRIPTS)
 }
 
 /// Says of each failure how many are worse.
@@ -99,14 +102,6 @@ fn rank(all: &mut [Shown], outcomes: &[Outcome]) {
     }
 }
 
-/// A script element that no browser runs.
-fn put(data: &mut String, id: &str, value: &Value) {
-    // In JSON a `<` can only be in a string, where it may be written so; a
-    // browser would take `</script>` for the end, and `<!--` for a comment.
-    let json = value.to_string().replace('<', "\\u003c");
-    let _ = writeln!(data, "<script type=\"application/json\" id=\"{id}\">{json}</script>");
-}
-
 fn title(outcomes: &[Outcome]) -> String {
     let summary = summarize(outcomes);
     let matches = summary.counts.get(&Verdict::Match).copied().unwrap_or(0);
@@ -114,27 +109,6 @@ fn title(outcomes: &[Outcome]) -> String {
         0 => format!("goldray: {matches} match"),
         failures => format!("goldray: {failures} of {} do not match", summary.total),
     }
-}
-
-/// The page with everything in its place. The places are sought in the page
-/// alone, whatever is put into them.
-fn fill(title: &str, data: &str) -> String {
-    let script = format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPTS.join("\n"));
-    let parts = [
-        ("<!--TITLE-->", title),
-        ("/*STYLE*/", STYLE),
-        ("<!--DATA-->", data),
-        ("/*SCRIPT*/", script.as_str()),
-    ];
-    let mut page = String::with_capacity(PAGE.len() + data.len() + STYLE.len() + script.len());
-    let mut rest = PAGE;
-    for (place, text) in parts {
-        let (before, after) = rest.split_once(place).unwrap_or((rest, ""));
-        page.push_str(before);
-        page.push_str(text);
-        rest = after;
-    }
-    page + rest
 }
 
 #[cfg(test)]

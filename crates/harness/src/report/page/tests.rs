@@ -1,6 +1,7 @@
 //! What is in the page, and that nothing in it breaks out of its place.
 
 use super::*;
+use serde_json::Value;
 
 /// The JSON of an element.
 #[track_caller]

@@ -2,17 +2,6 @@
 
 const MEMORY = "goldray-place";
 
-// A browser may refuse to store; the page does without.
-function stored(key, value) {
-  try {
-    if (value === undefined) return sessionStorage.getItem(key);
-    sessionStorage.setItem(key, value);
-  } catch {
-    return null;
-  }
-  return value;
-}
-
 function remember() {
   const viewport = current?.viewer?.viewport;
   const zoom =

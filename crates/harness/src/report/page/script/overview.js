@@ -58,7 +58,7 @@ function fillSheet(sheet, empty, found) {
       ? ""
       : `${plural(shown.length, "fixture", "fixtures")} of ${count(fixtures.length)} shown`;
   empty.hidden = shown.length > 0;
-  const suite =
-    "There is no fixture: the suite is empty. A first one is made by cargo xtask new area/name.";
+  const make = `${report.called} new area/name`;
+  const suite = `There is no fixture: the suite is empty. A first one is made by ${make}.`;
   empty.textContent = fixtures.length === 0 ? suite : "No fixture is as these filters ask.";
 }

@@ -1,0 +1,87 @@
+//! Adapter files: what is read, and all that is said of a bad one.
+
+use harness::store;
+
+use super::*;
+
+const SMALL: &str = r#"(name: "x", command: ["x", "{scene}"], scene: Ron)"#;
+
+#[test]
+fn a_small_file_has_the_defaults_of_the_documents() {
+    let adapter = Adapter::read("a.ron", SMALL).unwrap();
+    assert_eq!((adapter.output.as_str(), adapter.timeout.as_secs()), ("out.exr", 60));
+    assert_eq!(adapter.meaning, Meaning::default());
+    assert_eq!((adapter.tolerance, adapter.edges, adapter.edge_reach), (1e-5, 1.0, 1.0 / 64.0));
+    assert!(!adapter.same_samples && adapter.unsupported.is_empty());
+}
+
+#[test]
+fn all_fields_are_read() {
+    let text = r#"(
+        name: "x", command: ["x", "{scene}"], version: ["x", "-v"], help: "buy it",
+        scene: PovRay, output: "a.png", transfer: Srgb, rounding: Down, rows: BottomFirst,
+        timeout_s: 1.5, unsupported: {Torus: "no quartics", Depth: ""}, same_samples: true,
+        tolerance: 1e-3, edges: 0.5, edge_reach: 0.1, env: {"A": "b"},
+    )"#;
+    let adapter = Adapter::read("a.ron", text).unwrap();
+    let meaning =
+        Meaning { transfer: Transfer::Srgb, rounding: Rounding::Down, rows: Rows::BottomFirst };
+    assert_eq!(adapter.meaning, meaning);
+    assert_eq!(adapter.timeout.as_millis(), 1_500);
+    assert_eq!(adapter.unsupported[&Feature::Torus], "no quartics");
+    assert_eq!(adapter.env["A"], "b");
+}
+
+#[track_caller]
+fn refused(text: &str, expected: &[&str]) {
+    let found = Adapter::read("a.ron", text).unwrap_err();
+    for expected in expected {
+        assert!(found.contains(expected), "expected {expected:?} in:\n{found}");
+    }
+    assert_eq!(found.matches("a.ron:").count(), expected.len(), "{found}");
+}
+
+#[test]
+fn problems_are_told_together_with_their_places() {
+    refused("", &["a.ron:1:1: "]);
+    refused(
+        "(name: \"x\",\n comand: [\"x\"],\n scene: Povray,\n transfer: Gamma,\n)",
+        &["a.ron:2:2: ", "a.ron:3:9: ", "a.ron:4:12: "],
+    );
+    refused(
+        &SMALL.replace("{scene}", "{scn}"),
+        &["a.ron:1:28: nothing is called {scn}; did you mean {scene}?"],
+    );
+    refused(&SMALL.replace("{scene}", "a"), &["a.ron:1:22: expected a word with {scene}"]);
+    refused(&SMALL.replace("\"x\", \"{scene}\"", ""), &["expected a program and its arguments"]);
+    refused(&SMALL.replace("\"x\", \"{sc", "\"{width}\", \"{sc"), &["{width} is known only where"]);
+    refused(&SMALL.replace("name: \"x\"", "name: \" \""), &["expected a name"]);
+    let with = |more: &str| SMALL.replace("scene: Ron", &format!("scene: Ron, {more}"));
+    refused(&with("output: \"../a.png\""), &["expected the name of a file"]);
+    refused(&with("output: \"\""), &["expected the name of a file"]);
+    refused(&with("version: [\"x\", \"{output}\"]"), &["{output} is known only where"]);
+    refused(
+        &with("timeout_s: 0, tolerance: 0.5, edges: -1, edge_reach: 1"),
+        &["from 0.1 to 86400", "from 0 to 0.1", "from 0 to 1", "from 0.000001 to 0.5"],
+    );
+    refused(&with("tolerance: NaN"), &["from 0 to 0.1, found NaN"]);
+    refused(&with("unsupported: {Torsu: \"\"}"), &["`Torus`"]);
+    refused(&with("env: {\"A=B\": \"\"}"), &["expected the name of a variable"]);
+}
+
+#[test]
+fn what_is_built_in_is_good_and_is_what_the_folder_has() {
+    for builtin in BUILTIN {
+        Adapter::read(builtin.name, builtin.text).unwrap_or_else(|why| panic!("{why}"));
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../adapters");
+        let folder = folder.join(builtin.name);
+        let files = store::names(&folder, "ron").unwrap();
+        assert_eq!(files, ["adapter"], "{}", builtin.name);
+        for program in store::names(&folder, "py").unwrap() {
+            let name = format!("{program}.py");
+            let held = builtin.programs.iter().find(|(known, _)| *known == name);
+            let (_, held) = held.unwrap_or_else(|| panic!("{name} is not built in"));
+            assert_eq!(Some(held.to_vec()), store::read(&folder.join(&name), 1 << 20).unwrap());
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Consensus: of three or more renderers of one scene, which is the odd one out,
+//! region by region.
+//!
+//! goldray is one of them, by the picture that judges the others. A run of goldray
+//! itself, by its own adapter, is the same program: it gets no second vote.
+//!
+//! Two agree in a pixel where no channel of theirs is farther apart than the larger
+//! tolerance, relative to the brightest channel of the two, and what their files
+//! cannot tell. Whether one agrees with goldray has been judged, and is taken from
+//! there. Pixels where a moved sample would see something else are counted apart: any
+//! two renderers may differ there.
+
+mod opinion;
+mod overall;
+mod picture;
+mod regions;
+
+use std::collections::BTreeMap;
+
+use tracer::{LinearImage, Rgb, Size};
+
+pub use opinion::{MOST_VOTERS, Opinion, Voters};
+pub use overall::{Overall, Share, overall};
+pub use picture::{COLORS, SEVERAL, UNDECIDED, disagreement};
+
+use crate::objects::{Objects, Seen};
+use crate::{Conformed, Evidence};
+use regions::areas;
+
+/// The number of the voter that goldray is.
+pub const GOLDRAY: &str = "goldray";
+
+/// Fewer do not make an odd one out.
+pub const FEWEST_VOTERS: usize = 3;
+
+/// So many regions are told, the largest.
+pub const MOST_REGIONS: usize = 100;
+
+/// Where both are darker than this in every channel, their difference is taken
+/// relative to it: a thousandth of white.
+pub const DARKEST: f64 = 1e-3;
+
+/// What renderers say of one scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Told {
+    /// Who was heard, by id, goldray first.
+    pub voters: Vec<String>,
+    /// Whose picture there is not, or whose is of another size, by id.
+    pub unheard: Vec<String>,
+    /// Of the pictures.
+    pub size: Size,
+    /// How many pixels there are of each opinion.
+    pub opinions: BTreeMap<Opinion, Pixels>,
+    /// Interior pixels of one opinion that lie together, but of [`Opinion::Agree`];
+    /// the largest first, at most [`MOST_REGIONS`].
+    pub regions: Vec<Region>,
+    /// How many regions are not told, and their pixels.
+    pub untold: (u64, u64),
+    /// The opinion of each pixel, row by row from the top; empty where all agree.
+    pub map: Vec<Opinion>,
+}
+
+/// Pixels, those at edges apart.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Pixels {
+    /// Inside of what is seen.
+    pub interior: u64,
+    /// Where a moved sample would see something else.
+    pub edge: u64,
+}
+
+/// Interior pixels of one opinion that lie together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// The opinion.
+    pub opinion: Opinion,
+    /// How many they are.
+    pub pixels: u64,
+    /// Column and row of the upper left corner of the box around them.
+    pub from: (u32, u32),
+    /// Of the lower right corner, which is in it.
+    pub to: (u32, u32),
+    /// What most of them show, and how many do.
+    pub on: Option<(Seen, u64)>,
+}
+
+/// A renderer's picture, and how far it may be off.
+struct Voice<'a> {
+    picture: &'a LinearImage,
+    /// Tolerance and half step of its file together, relative.
+    tolerance: f64,
+    step: f64,
+    /// Where it was judged to be beyond its tolerance from goldray.
+    off: Option<&'a [bool]>,
+}
+
+/// What the runs say of a fixture; `None` where fewer than [`FEWEST_VOTERS`] have a
+/// picture of it, goldray included.
+///
+/// `objects` says what each pixel shows, where that is known; it is asked only where
+/// they disagree.
+pub fn of_fixture(
+    name: &str,
+    runs: &[Conformed],
+    objects: &dyn Fn() -> Option<Objects>,
+) -> Option<Told> {
+    let others = runs.iter().filter(|one| one.run.renderer.id != GOLDRAY);
+    let asked: Vec<_> = others.filter(|one| one.run.fixtures.contains_key(name)).collect();
+    let reference = asked.iter().find_map(|one| one.evidence.get(name).filter(|e| is_whole(e)))?;
+    let size = reference.reference.size();
+    let mut voices =
+        vec![Voice { picture: &reference.reference, tolerance: 0.0, step: 0.0, off: None }];
+    let (mut voters, mut unheard) = (vec![GOLDRAY.to_owned()], Vec::new());
+    for one in asked {
+        let id = one.run.renderer.id.clone();
+        // Another reference means that the runs were of two states of the suite.
+        let evidence = one.evidence.get(name).filter(|evidence| {
+            is_whole(evidence)
+                && is_same(&evidence.reference, &reference.reference)
+                && voices.len() < MOST_VOTERS
+        });
+        match evidence {
+            Some(Evidence { actual, step, off, .. }) => {
+                let tolerance = one.run.tolerance;
+                voices.push(Voice { picture: actual, tolerance, step: *step, off: Some(off) });
+                voters.push(id);
+            }
+            None => unheard.push(id),
+        }
+    }
+    if voices.len() < FEWEST_VOTERS {
+        return None;
+    }
+    let map = opinions(&voices);
+    Some(told(Told { voters, unheard, ..blank(size) }, map, &reference.edges, objects))
+}
+
+/// Whether every part is of one size.
+fn is_whole(evidence: &Evidence) -> bool {
+    let pixels = evidence.reference.pixels().len();
+    evidence.actual.size() == evidence.reference.size()
+        && [evidence.edges.len(), evidence.off.len()] == [pixels; 2]
+}
+
+/// Whether two pictures have the same bits.
+fn is_same(a: &LinearImage, b: &LinearImage) -> bool {
+    let bits = |pixel: &Rgb| pixel.channels().map(f64::to_bits);
+    a.size() == b.size() && a.pixels().iter().map(bits).eq(b.pixels().iter().map(bits))
+}
+
+fn blank(size: Size) -> Told {
+    Told {
+        voters: Vec::new(),
+        unheard: Vec::new(),
+        size,
+        opinions: BTreeMap::new(),
+        regions: Vec::new(),
+        untold: (0, 0),
+        map: Vec::new(),
+    }
+}
+
+fn opinions(voices: &[Voice<'_>]) -> Vec<Opinion> {
+    let pixels = voices.first().map_or(0, |voice| voice.picture.pixels().len());
+    (0..pixels)
+        .map(|i| Opinion::of(voices.len(), |a, b| agree(&voices[a], &voices[b], i)))
+        .collect()
+}
+
+/// Whether two agree in a pixel; the first may be goldray.
+fn agree(a: &Voice<'_>, b: &Voice<'_>, pixel: usize) -> bool {
+    if let (None, Some(off)) = (a.off, b.off) {
+        return !off[pixel];
+    }
+    let tolerance = a.tolerance.max(b.tolerance) + a.step + b.step;
+    is_near(a.picture.pixels()[pixel], b.picture.pixels()[pixel], tolerance)
+}
+
+fn is_near(a: Rgb, b: Rgb, tolerance: f64) -> bool {
+    let pairs = || a.channels().into_iter().zip(b.channels());
+    let brightest = pairs().fold(DARKEST, |most, (a, b)| most.max(a.abs()).max(b.abs()));
+    // Two infinities are equal and have no distance; a NaN is near nothing.
+    pairs().all(|(a, b)| a == b || (a - b).abs() <= tolerance * brightest && brightest.is_finite())
+}
+
+/// Counts the opinions and finds their regions.
+fn told(
+    mut told: Told,
+    map: Vec<Opinion>,
+    edges: &[bool],
+    objects: &dyn Fn() -> Option<Objects>,
+) -> Told {
+    for (opinion, &is_edge) in map.iter().zip(edges) {
+        let pixels = told.opinions.entry(*opinion).or_default();
+        *if is_edge { &mut pixels.edge } else { &mut pixels.interior } += 1;
+    }
+    if map.iter().all(|opinion| *opinion == Opinion::Agree) {
+        return told;
+    }
+    let inside: Vec<_> = map
+        .iter()
+        .zip(edges)
+        .map(|(&opinion, &is_edge)| {
+            Some(opinion).filter(|opinion| !is_edge && *opinion != Opinion::Agree)
+        })
+        .collect();
+    let width = told.size.width as usize;
+    let mut found = areas(&inside, width);
+    // Stable: equals stay in the order of their first pixels.
+    found.sort_by_key(|area| std::cmp::Reverse(area.pixels.len()));
+    let beyond = found.split_off(found.len().min(MOST_REGIONS));
+    told.untold = (beyond.len() as u64, beyond.iter().map(|area| area.pixels.len() as u64).sum());
+    let objects = if found.is_empty() { None } else { objects() };
+    let region = |area: regions::Area<Opinion>| {
+        let columns = || area.pixels.iter().map(|pixel| (pixel % width) as u32);
+        let rows = || area.pixels.iter().map(|pixel| (pixel / width) as u32);
+        Region {
+            opinion: area.value,
+            pixels: area.pixels.len() as u64,
+            from: (columns().min().unwrap_or(0), rows().min().unwrap_or(0)),
+            to: (columns().max().unwrap_or(0), rows().max().unwrap_or(0)),
+            on: objects.as_ref().and_then(|objects| objects.most(area.pixels.iter().copied())),
+        }
+    };
+    told.regions = found.into_iter().map(region).collect();
+    told.map = map;
+    told
+}
+
+#[cfg(test)]
+mod tests;

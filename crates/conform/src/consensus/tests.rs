@@ -1,0 +1,211 @@
+//! Who is told to be the odd one out, and where.
+
+use std::collections::BTreeMap;
+
+use harness::encode::EncodedImage;
+use harness::fixture::Fixture;
+use scene::NoAssets;
+use tracer::accel::Build;
+
+use super::*;
+use crate::trial::{self, Damage, Trial, judged};
+
+/// A gray picture of one row of pixels for each text: its digits, in tenths.
+fn gray(rows: &[&str]) -> LinearImage {
+    let size = Size { width: rows[0].len() as u32, height: rows.len() as u32 };
+    let pixel = |c: char| {
+        let value = c.to_digit(10).map_or(f64::NAN, |digit| f64::from(digit) / 10.0);
+        Rgb::new(value, value, value)
+    };
+    let pixels = rows.concat().chars().map(pixel).collect();
+    LinearImage::from_pixels(size, pixels).unwrap()
+}
+
+/// Runs of one fixture `f`: goldray's picture, then those of `a`, `b` and so on.
+/// Pixels that are `x` in `edges` are edges.
+fn runs(reference: &[&str], edges: &[&str], pictures: &[&[&str]]) -> Vec<Conformed> {
+    let edges: Vec<_> = edges.concat().chars().map(|c| c == 'x').collect();
+    let one = |(id, rows): (char, &&[&str])| {
+        let mut run = trial::run(&id.to_string());
+        run.fixtures.insert("f".to_owned(), trial::result(crate::Outcome::Pass, 0.0));
+        let evidence = judged(gray(reference), gray(rows), edges.clone());
+        Conformed { run, evidence: BTreeMap::from([("f".to_owned(), evidence)]) }
+    };
+    ('a'..).zip(pictures).map(one).collect()
+}
+
+fn tell(runs: &[Conformed]) -> Option<Told> {
+    of_fixture("f", runs, &|| None)
+}
+
+#[track_caller]
+fn check(reference: &str, pictures: &[&str], expected: &[&str]) {
+    let rows: Vec<_> = pictures.iter().map(|row| vec![*row]).collect();
+    let rows: Vec<&[&str]> = rows.iter().map(Vec::as_slice).collect();
+    let told = tell(&runs(&[reference], &[&".".repeat(reference.len())], &rows)).unwrap();
+    let said = told.regions.iter().map(|region| {
+        let words = region.opinion.words(&told.voters);
+        format!("{} px {:?}..{:?}: {words}", region.pixels, region.from, region.to)
+    });
+    assert_eq!(said.collect::<Vec<_>>(), expected, "{reference} {pictures:?}");
+}
+
+#[test]
+fn the_odd_one_is_told_by_region() {
+    check("?", &["?", "?"], &["1 px (0, 0)..(0, 0): all differ"]);
+    check("12", &["12", "12"], &[]);
+    check("1234", &["1235", "1234"], &["1 px (3, 0)..(3, 0): a stands alone"]);
+    check("1234", &["9934", "1234"], &["2 px (0, 0)..(1, 0): a stands alone"]);
+    check("1234", &["1834", "1834"], &["1 px (1, 0)..(1, 0): goldray stands alone"]);
+    check(
+        "11111",
+        &["31113", "11141"],
+        &[
+            "1 px (0, 0)..(0, 0): a stands alone",
+            "1 px (3, 0)..(3, 0): b stands alone",
+            "1 px (4, 0)..(4, 0): a stands alone",
+        ],
+    );
+    check("1111", &["1222", "1333"], &["3 px (1, 0)..(3, 0): all differ"]);
+    check(
+        "11",
+        &["22", "11", "22"],
+        &["2 px (0, 0)..(1, 0): two against two: goldray and b against a and c"],
+    );
+    check("1", &["2", "2", "1", "1"], &["1 px (0, 0)..(0, 0): a and b are against the majority"]);
+}
+
+#[test]
+fn regions_are_told_by_size_and_boxes_hold_them() {
+    let wrong: &[&str] = &["11111", "19111", "11919", "11199"];
+    let right: &[&str] = &["11111"; 4];
+    let told = tell(&runs(right, &["....."; 4], &[wrong, right])).unwrap();
+    let found: Vec<_> = told.regions.iter().map(|r| (r.pixels, r.from, r.to)).collect();
+    assert_eq!(found, [(5, (1, 1), (4, 3))], "over corners too");
+    assert_eq!(told.untold, (0, 0));
+}
+
+#[test]
+fn edges_are_counted_apart() {
+    let told = tell(&runs(&["1111"], &["xx.."], &[&["2121"], &["1111"]])).unwrap();
+    let alone = Opinion::Against(Voters::NONE.with(1));
+    assert_eq!(told.opinions[&alone], Pixels { interior: 1, edge: 1 });
+    assert_eq!(told.opinions[&Opinion::Agree], Pixels { interior: 1, edge: 1 });
+    assert_eq!(told.regions.len(), 1);
+    // Only edges: no region, and it is still seen.
+    let told = tell(&runs(&["1111"], &["xx.."], &[&["2111"], &["1111"]])).unwrap();
+    assert!(told.regions.is_empty() && told.map.len() == 4);
+}
+
+#[test]
+fn fewer_than_three_are_not_told() {
+    let two = runs(&["1"], &["."], &[&["1"]]);
+    assert_eq!(tell(&two), None);
+    // goldray's own adapter is no second vote.
+    let mut three = runs(&["1"], &["."], &[&["1"], &["2"]]);
+    three[0].run.renderer.id = GOLDRAY.to_owned();
+    assert_eq!(tell(&three), None);
+    // One without a picture is said to be unheard.
+    let mut four = runs(&["1"], &["."], &[&["1"], &["2"], &["1"]]);
+    four[1].evidence.clear();
+    let told = tell(&four).unwrap();
+    assert_eq!((told.voters, told.unheard), (words("goldray a c"), words("b")));
+    // One that was not asked for the fixture is not.
+    four[1].run.fixtures.clear();
+    assert_eq!(tell(&four).unwrap().unheard, [""; 0]);
+    assert_eq!(of_fixture("g", &four, &|| None), None);
+}
+
+fn words(text: &str) -> Vec<String> {
+    text.split(' ').map(str::to_owned).collect()
+}
+
+#[test]
+fn pictures_that_do_not_fit_are_unheard() {
+    let mut all = runs(&["11"], &[".."], &[&["11"], &["11"], &["11"], &["11"]]);
+    all[0].evidence.get_mut("f").unwrap().actual = gray(&["1", "1"]);
+    all[1].evidence.get_mut("f").unwrap().reference = gray(&["12"]);
+    all[2].evidence.get_mut("f").unwrap().off.pop();
+    assert_eq!(tell(&all), None, "of the four, one is left, and goldray");
+}
+
+#[test]
+fn no_more_are_heard_than_can_be() {
+    let pictures = vec![&["1"][..]; 12];
+    let told = tell(&runs(&["1"], &["."], &pictures)).unwrap();
+    assert_eq!((told.voters.len(), told.unheard.len()), (MOST_VOTERS, 13 - MOST_VOTERS));
+}
+
+#[test]
+fn a_file_of_few_steps_is_given_them() {
+    #[track_caller]
+    fn check(a: f64, b: f64, step: f64, expected: bool) {
+        let mut all = runs(&["1"], &["."], &[&["1"], &["1"]]);
+        for (one, value) in all.iter_mut().zip([a, b]) {
+            let evidence = one.evidence.get_mut("f").unwrap();
+            evidence.actual = LinearImage::from_fn(Size { width: 1, height: 1 }, |_, _| {
+                Rgb::new(value, 0.0, value)
+            });
+            // Neither agrees with goldray.
+            (evidence.off, evidence.step) = (vec![true], step);
+        }
+        let opinion = *tell(&all).unwrap().opinions.keys().next().unwrap();
+        let alone = Opinion::Against(Voters::NONE.with(0));
+        assert_eq!(opinion == alone, expected, "{a} {b} {step}: {opinion:?}");
+    }
+    check(0.5, 0.5, 0.0, true);
+    check(0.5, 0.5 + 4e-6, 0.0, true);
+    check(0.5, 0.5 + 6e-6, 0.0, false);
+    check(0.5, 0.501, 1e-3, true);
+    check(0.5, 0.502, 1e-3, false);
+    // In the dark, relative to a thousandth of white.
+    check(0.0, 0.9e-8, 0.0, true);
+    check(0.0, 1.1e-8, 0.0, false);
+    check(f64::INFINITY, f64::INFINITY, 0.0, true);
+    check(f64::INFINITY, 1.0, 0.0, false);
+    check(f64::NAN, f64::NAN, 0.0, false);
+}
+
+const BALL: &str = "(version: 1, image: (24, 24), show: SurfaceColor,
+    camera: Parallel(view_point: (0, 0, 5), view_width: 4, view_height: 4),
+    objects: [
+        Box(min: (-1, -1, 0), max: (1, 1, 0), material: Lambert(diffuse: (0.2, 0.5, 0.1))),
+    ])";
+
+#[test]
+fn a_wrong_object_is_named_by_its_place() {
+    let fixture = Fixture::read("f", BALL, &NoAssets, Build::Bvh).unwrap();
+    let all = BTreeMap::from([("f".to_owned(), fixture)]);
+    let wrong = Trial::right("w").with(Damage::Recolor(0)).run(&all);
+    let runs = [Trial::right("r").run(&all), wrong];
+    let told = of_fixture("f", &runs, &|| Some(Objects::of(&all["f"]))).unwrap();
+    let [region] = &told.regions[..] else { panic!("{:?}", told.regions) };
+    assert_eq!(region.opinion.words(&told.voters), "w stands alone");
+    // Twelve by twelve pixels, without those beside the background.
+    assert_eq!((region.pixels, region.from, region.to), (100, (7, 7), (16, 16)));
+    let (seen, count) = region.on.clone().unwrap();
+    assert_eq!((seen.words("x.ron").as_str(), count), ("the Box of x.ron:4:9", 100));
+
+    let base = EncodedImage::from_fn(told.size, |_, _| [90; 3]);
+    let edges = &runs[0].evidence["f"].edges;
+    let picture = disagreement(&told, &base, edges).unwrap();
+    assert_eq!(picture.get(12, 12), Some(COLORS[2]));
+    assert_eq!(picture.get(6, 6), Some(COLORS[2].map(|code| code / 2)), "an edge");
+    assert_eq!(picture.get(0, 0), Some([30; 3]));
+
+    let sum = overall([("f", &told)].into_iter());
+    assert_eq!((sum.fixtures, sum.agreed, sum.undecided), (1, 0, 0));
+    let share = &sum.voters["w"];
+    assert_eq!(share.alone, Pixels { interior: 100, edge: 44 });
+    assert_eq!(share.alone_in, [("f".to_owned(), 100)]);
+    assert_eq!(sum.voters["r"].alone, Pixels::default());
+}
+
+#[test]
+fn all_in_agreement_have_no_picture() {
+    let told = tell(&runs(&["12"], &["x."], &[&["12"], &["12"]])).unwrap();
+    let base = EncodedImage::from_fn(told.size, |_, _| [9; 3]);
+    assert_eq!(disagreement(&told, &base, &[]), None);
+    let sum = overall([("f", &told), ("g", &told)].into_iter());
+    assert_eq!((sum.fixtures, sum.agreed), (2, 2));
+}

@@ -1,0 +1,209 @@
+//! `Levels`: the linear values that the numbers of a picture file may stand for.
+//!
+//! A file tells values apart no finer than its numbers are, so each of them stands
+//! for an interval: half a step to both sides of a code or of a floating point
+//! number, a whole step upwards of a code that was rounded down. The largest code
+//! stands for all that is brighter, the smallest for all that is darker.
+
+use harness::picture_file::{Depth, Stored};
+use tracer::{LinearImage, Rgb, Size};
+
+use crate::adapter::{Meaning, Rounding, Rows};
+
+/// Linear values from `low` to `high`, both included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Level {
+    /// The least.
+    pub low: f64,
+    /// The most.
+    pub high: f64,
+}
+
+impl Level {
+    /// How far a value is from the nearest in it.
+    pub fn distance(self, value: f64) -> f64 {
+        (self.low - value).max(value - self.high).max(0.0)
+    }
+
+    /// The same with as much more to both sides.
+    #[must_use]
+    pub fn widened(self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }
+    }
+
+    /// Whether a value is in both.
+    pub fn meets(self, other: Self) -> bool {
+        self.low <= other.high && other.low <= self.high
+    }
+}
+
+/// A picture whose channels are known up to the steps of its file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Levels {
+    size: Size,
+    pixels: Vec<[Level; 3]>,
+    nominal: LinearImage,
+    is_stepped: bool,
+}
+
+impl Levels {
+    /// What a file's numbers stand for.
+    ///
+    /// # Errors
+    /// A number that is infinite or none, as the rest of a sentence.
+    pub fn of(stored: &Stored, meaning: Meaning) -> Result<Self, String> {
+        let size = stored.size();
+        let width = size.width as usize;
+        let bad = stored.values().iter().position(|pixel| pixel.iter().any(|c| !c.is_finite()));
+        if let Some(at) = bad {
+            let count = stored.values().iter().filter(|p| p.iter().any(|c| !c.is_finite())).count();
+            let pixel = stored.values()[at];
+            let (x, y) = (at % width, at / width);
+            return Err(format!(
+                "has {count} px that are no finite numbers, the first ({x}, {y}) of the file: {pixel:?}"
+            ));
+        }
+        let rows = stored.values().chunks_exact(width);
+        let values: Vec<[f64; 3]> = match meaning.rows {
+            Rows::TopFirst => rows.flatten().copied().collect(),
+            Rows::BottomFirst => rows.rev().flatten().copied().collect(),
+        };
+        let depth = stored.depth();
+        let levels = values.iter().map(|pixel| pixel.map(|c| level(c, depth, meaning)));
+        let nominal = |c: f64| match depth {
+            Depth::Codes { max } => meaning.transfer.linear(c / f64::from(max)),
+            Depth::Half | Depth::Single => meaning.transfer.linear(c),
+        };
+        let pixels = values.iter().map(|pixel| Rgb::from(pixel.map(nominal))).collect();
+        let nominal =
+            LinearImage::from_pixels(size, pixels).ok_or("has a wrong count of pixels")?;
+        Ok(Self { size, pixels: levels.collect(), nominal, is_stepped: depth != Depth::Single })
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> Size {
+        self.size
+    }
+
+    /// What each pixel may be, row by row from the top.
+    pub fn pixels(&self) -> &[[Level; 3]] {
+        &self.pixels
+    }
+
+    /// The picture with each number taken as it is.
+    pub fn nominal(&self) -> &LinearImage {
+        &self.nominal
+    }
+
+    /// Whether its steps are coarser than those of 32-bit floats.
+    pub fn is_stepped(&self) -> bool {
+        self.is_stepped
+    }
+}
+
+/// What a number may stand for.
+fn level(stored: f64, depth: Depth, meaning: Meaning) -> Level {
+    let linear = |c: f64| meaning.transfer.linear(c);
+    match depth {
+        Depth::Codes { max } => {
+            let max = f64::from(max);
+            let (below, above) = match meaning.rounding {
+                Rounding::Nearest => (0.5, 0.5),
+                Rounding::Down => (0.0, 1.0),
+            };
+            Level {
+                low: if stored <= 0.0 { f64::NEG_INFINITY } else { linear((stored - below) / max) },
+                high: if stored >= max { f64::INFINITY } else { linear((stored + above) / max) },
+            }
+        }
+        Depth::Single => {
+            let single = stored as f32;
+            let [below, above] = [single.next_down(), single.next_up()].map(f64::from);
+            // Beyond the largest there is no other.
+            let middle =
+                |other: f64| if other.is_finite() { f64::midpoint(stored, other) } else { stored };
+            Level { low: linear(middle(below)), high: linear(middle(above)) }
+        }
+        Depth::Half => {
+            let half_step = half_step(stored);
+            Level { low: linear(stored - half_step), high: linear(stored + half_step) }
+        }
+    }
+}
+
+/// Half the distance between two 16-bit floating point numbers around here.
+///
+/// Source: IEEE 754-2019, binary16: 11 bits of precision, the smallest exponent
+/// being -14.
+fn half_step(value: f64) -> f64 {
+    /// Of the numbers below 2^-13: half of 2^-24.
+    const SMALLEST: f64 = 1.0 / (1_u64 << 25) as f64;
+    const SMALLEST_NORMAL: f64 = 1.0 / (1_u64 << 14) as f64;
+    let mut step = SMALLEST;
+    let mut power = 2.0 * SMALLEST_NORMAL;
+    while power <= value.abs() && power.is_finite() {
+        step *= 2.0;
+        power *= 2.0;
+    }
+    step
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::adapter::Transfer;
+
+    #[track_caller]
+    fn check(stored: f64, depth: Depth, meaning: Meaning, low: f64, high: f64) {
+        let found = level(stored, depth, meaning);
+        let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-15 * b.abs();
+        assert!(close(found.low, low) && close(found.high, high), "{found:?}");
+    }
+
+    #[test]
+    fn a_code_stands_for_its_step() {
+        const EIGHT: Depth = Depth::Codes { max: 255 };
+        let plain = Meaning::default();
+        check(100.0, EIGHT, plain, 99.5 / 255.0, 100.5 / 255.0);
+        check(0.0, EIGHT, plain, f64::NEG_INFINITY, 0.5 / 255.0);
+        check(255.0, EIGHT, plain, 254.5 / 255.0, f64::INFINITY);
+        check(7.0, Depth::Codes { max: 65_535 }, plain, 6.5 / 65_535.0, 7.5 / 65_535.0);
+        let down = Meaning { rounding: Rounding::Down, ..plain };
+        check(100.0, EIGHT, down, 100.0 / 255.0, 101.0 / 255.0);
+        check(0.0, EIGHT, down, f64::NEG_INFINITY, 1.0 / 255.0);
+        let gamma = Meaning { transfer: Transfer::Gamma22, ..plain };
+        let power = |c: f64| libm::pow(c / 255.0, 2.2);
+        check(100.0, EIGHT, gamma, power(99.5), power(100.5));
+    }
+
+    #[test]
+    fn a_float_stands_for_what_rounds_to_it() {
+        let plain = Meaning::default();
+        let ulp = f64::from(f32::EPSILON);
+        check(1.0, Depth::Single, plain, 1.0 - ulp / 4.0, 1.0 + ulp / 2.0);
+        check(1.0, Depth::Half, plain, 1.0 - 1.0 / 2048.0, 1.0 + 1.0 / 2048.0);
+        check(1.5, Depth::Half, plain, 1.5 - 1.0 / 2048.0, 1.5 + 1.0 / 2048.0);
+        check(-3.0, Depth::Half, plain, -3.0 - 1.0 / 1024.0, -3.0 + 1.0 / 1024.0);
+        check(65_504.0, Depth::Half, plain, 65_488.0, 65_520.0);
+        let smallest = 1.0 / f64::from(1 << 24);
+        check(smallest, Depth::Half, plain, smallest / 2.0, smallest * 1.5);
+        let most = f64::from(f32::MAX);
+        assert_eq!(level(most, Depth::Single, plain).high, most);
+    }
+
+    #[test]
+    fn rows_may_be_upside_down_and_numbers_none() {
+        let read = |bytes: &[u8]| Stored::read(bytes).unwrap();
+        let two = read(b"P5 1 2 255 \x01\x02");
+        let first = |rows| {
+            let meaning = Meaning { rows, ..Meaning::default() };
+            Levels::of(&two, meaning).unwrap().nominal().get(0, 0).unwrap().r * 255.0
+        };
+        assert_eq!([first(Rows::TopFirst), first(Rows::BottomFirst)], [1.0, 2.0]);
+        let pixel = |value: f32| [b"Pf 1 1 -1.0\n", &value.to_le_bytes()[..]].concat();
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            let why = Levels::of(&read(&pixel(bad)), Meaning::default()).unwrap_err();
+            assert!(why.contains("has 1 px that are no finite numbers, the first (0, 0)"), "{why}");
+        }
+    }
+}

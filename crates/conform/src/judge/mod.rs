@@ -1,0 +1,243 @@
+//! `judge`: another renderer's picture beside goldray's own.
+//!
+//! goldray's linear picture is the reference. Interior pixels must be within the
+//! adapter's tolerance of it, each channel relative to the brightest of the pixel.
+//! Edge pixels, whose sample sees something else when it is moved a little
+//! ([`tracer::edges`]), may show either side, and are counted. What a fixture
+//! expects on paper is asked of the foreign picture as well.
+
+mod expect;
+mod hint;
+mod levels;
+
+pub use levels::{Level, Levels};
+
+use harness::expectation::Rendered;
+use harness::fixture::Fixture;
+use tracer::{Around, LinearImage, Rgb, Size};
+
+use crate::Numbers;
+use crate::adapter::{Adapter, Meaning};
+use harness::picture_file::Stored;
+
+/// How much a picture may differ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowance {
+    /// Of an interior pixel, relative.
+    pub tolerance: f64,
+    /// Which share of the edge pixels may be off.
+    pub edges: f64,
+}
+
+impl Allowance {
+    /// What an adapter allows.
+    pub fn of(adapter: &Adapter) -> Self {
+        Self { tolerance: adapter.tolerance, edges: adapter.edges }
+    }
+}
+
+/// What a picture is held against.
+#[derive(Debug, Clone, Copy)]
+pub struct Reference<'a> {
+    /// What its pixels are expected to be.
+    pub fixture: &'a Fixture,
+    /// goldray's picture of it.
+    pub rendered: &'a Rendered,
+    /// What is seen around each edge pixel, row by row from the top.
+    pub around: &'a [Option<Around>],
+}
+
+/// What is found of a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judged {
+    /// How it compares.
+    pub numbers: Numbers,
+    /// Whether each pixel is beyond the tolerance, row by row from the top.
+    pub off: Vec<bool>,
+    /// What is wrong with it, in sentences; empty if nothing is.
+    pub findings: Vec<String>,
+    /// The largest half step of its file, relative as in [`Numbers::worst_interior`];
+    /// 0 for floats.
+    pub step: f64,
+}
+
+/// Judges a picture of the reference's size.
+pub fn judge(reference: &Reference<'_>, levels: &Levels, allowance: Allowance) -> Judged {
+    let linear = &reference.rendered.linear;
+    let scale = Scale::of(linear);
+    let errors: Vec<f64> = linear
+        .pixels()
+        .iter()
+        .zip(levels.pixels())
+        .map(|(pixel, levels)| error(*pixel, levels, scale))
+        .collect();
+    let is_off = |error: f64| !(error <= allowance.tolerance);
+    let off: Vec<bool> = errors.iter().map(|&error| is_off(error)).collect();
+    let numbers = numbers(linear.size(), &errors, &off, reference.around);
+    let mut findings = Vec::new();
+    if let (true, Some(at)) = (numbers.interior_off > 0, numbers.worst_at) {
+        findings.push(interior(&numbers, at, linear, levels, allowance.tolerance));
+    }
+    let share = allowance.edges * numbers.edge_pixels as f64;
+    if numbers.edge_off as f64 > share {
+        findings.push(format!(
+            "{} of {} edge pixels differ: expected at most {}",
+            numbers.edge_off,
+            numbers.edge_pixels,
+            share.floor()
+        ));
+    }
+    findings.extend(strange(reference, levels, &off, scale, allowance.tolerance));
+    findings.extend(expect::broken(reference, levels, scale, allowance.tolerance));
+    Judged { numbers, off, findings, step: step(linear, levels, scale) }
+}
+
+/// What would make a picture right that is not, if that is simple.
+pub fn hint(
+    reference: &Reference<'_>,
+    stored: &Stored,
+    meaning: Meaning,
+    allowance: Allowance,
+) -> Option<String> {
+    hint::hint(reference, stored, meaning, allowance)
+}
+
+/// What errors are relative to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scale {
+    /// The least.
+    floor: f64,
+}
+
+impl Scale {
+    /// A pixel that is darker than this part of white, or of the picture's brightest
+    /// channel where that is below white, is measured as if it were as bright: what
+    /// is black has no relative error.
+    const DARKEST: f64 = 0.01;
+
+    fn of(picture: &LinearImage) -> Self {
+        let brightest = picture.pixels().iter().map(|&pixel| brightest(pixel)).fold(0.0, f64::max);
+        let white = if brightest > 0.0 { brightest.min(1.0) } else { 1.0 };
+        Self { floor: Self::DARKEST * white }
+    }
+
+    /// What an error of this pixel is relative to.
+    pub(crate) fn at(self, pixel: Rgb) -> f64 {
+        brightest(pixel).max(self.floor)
+    }
+}
+
+/// The largest channel, whatever its sign.
+fn brightest(pixel: Rgb) -> f64 {
+    pixel.channels().into_iter().fold(0.0, |most, c| most.max(c.abs()))
+}
+
+/// How far a pixel is from the nearest that the file could stand for.
+fn error(pixel: Rgb, levels: &[Level; 3], scale: Scale) -> f64 {
+    let distances = pixel.channels().into_iter().zip(levels);
+    distances.map(|(c, level)| level.distance(c)).fold(0.0, f64::max) / scale.at(pixel)
+}
+
+fn numbers(size: Size, errors: &[f64], off: &[bool], around: &[Option<Around>]) -> Numbers {
+    let width = size.width as usize;
+    let mut numbers = Numbers {
+        pixels: errors.len() as u64,
+        edge_pixels: 0,
+        edge_off: 0,
+        interior_off: 0,
+        worst_interior: 0.0,
+        worst_at: None,
+    };
+    for (at, ((&error, &off), around)) in errors.iter().zip(off).zip(around).enumerate() {
+        if around.is_some() {
+            numbers.edge_pixels += 1;
+            numbers.edge_off += u64::from(off);
+            continue;
+        }
+        numbers.interior_off += u64::from(off);
+        if error > numbers.worst_interior {
+            numbers.worst_interior = error;
+            numbers.worst_at = Some(((at % width) as u32, (at / width) as u32));
+        }
+    }
+    numbers
+}
+
+/// The sentence about interior pixels.
+fn interior(
+    numbers: &Numbers,
+    (x, y): (u32, u32),
+    linear: &LinearImage,
+    levels: &Levels,
+    tolerance: f64,
+) -> String {
+    let expected = linear.get(x, y).unwrap_or_default().channels();
+    let found = levels.nominal().get(x, y).unwrap_or_default().channels();
+    let interior = numbers.pixels - numbers.edge_pixels;
+    format!(
+        "{} of {interior} interior pixels differ by more than {tolerance:e}, the worst ({x}, {y}) \
+         by {:.3e}: expected {}, found {}",
+        numbers.interior_off,
+        numbers.worst_interior,
+        triple(expected),
+        triple(found)
+    )
+}
+
+/// A color as people read it.
+fn triple(color: [f64; 3]) -> String {
+    let [r, g, b] = color.map(|c| format!("{c:.7}"));
+    format!("({r}, {g}, {b})")
+}
+
+/// Edge pixels that show neither side, nor anything between.
+fn strange(
+    reference: &Reference<'_>,
+    levels: &Levels,
+    off: &[bool],
+    scale: Scale,
+    tolerance: f64,
+) -> Option<String> {
+    /// How far beyond both sides a pixel may be, in parts of the brightest: what
+    /// lies right at a silhouette may be a little brighter than what is seen a
+    /// hundredth of a pixel beside it.
+    const BEYOND: f64 = 0.1;
+    let linear = &reference.rendered.linear;
+    let Size { width, height } = linear.size();
+    let is_strange = |&at: &usize| {
+        let Some(around) = reference.around[at].filter(|_| off[at]) else { return false };
+        let (x, y) = (at as u32 % width, at as u32 / width);
+        let rows = y.saturating_sub(1)..=(y + 1).min(height - 1);
+        let columns = x.saturating_sub(1)..=(x + 1).min(width - 1);
+        let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
+        let near = near.filter_map(|(x, y)| linear.get(x, y));
+        let Around { low, high } = near.fold(around, Around::with);
+        let slack = (BEYOND + tolerance) * scale.at(high).max(scale.at(low));
+        let between = low.channels().into_iter().zip(high.channels());
+        let mut pairs = between.zip(&levels.pixels()[at]);
+        pairs.any(|((low, high), level)| !level.meets(Level { low, high }.widened(slack)))
+    };
+    let strange: Vec<usize> = (0..off.len()).filter(is_strange).collect();
+    let &first = strange.first()?;
+    let (x, y) = (first as u32 % width, first as u32 / width);
+    let found = levels.nominal().get(x, y).unwrap_or_default().channels();
+    Some(format!(
+        "{} edge pixels show neither of what is on both sides, the first ({x}, {y}): found {}",
+        strange.len(),
+        triple(found)
+    ))
+}
+
+fn step(linear: &LinearImage, levels: &Levels, scale: Scale) -> f64 {
+    if !levels.is_stepped() {
+        return 0.0;
+    }
+    let of_pixel = |(pixel, levels): (&Rgb, &[Level; 3])| {
+        let halves = levels.iter().map(|level| (level.high - level.low) / 2.0);
+        halves.filter(|half| half.is_finite()).fold(0.0, f64::max) / scale.at(*pixel)
+    };
+    linear.pixels().iter().zip(levels.pixels()).map(of_pixel).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,204 @@
+//! Pictures that are right, and pictures that are wrong in one way each.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use harness::fixture::Build;
+use harness::picture_file::to_exr;
+
+use super::*;
+use crate::adapter::{Rows, Transfer};
+
+/// A ball on a floor, lit from the left; known on paper are a pixel of the
+/// background, its count and the symmetry of the upper half.
+const SCENE: &str = r"(
+    version: 1, image: (24, 16),
+    camera: Parallel(view_point: (0, 0, 9), view_width: 6, view_height: 4),
+    background: (0.25, 0.5, 0.125),
+    objects: [Sphere(center: (0.01, 0.02, 0), radius: 1.3, material: Constant(color: (1, 0, 0.5)))],
+    check: (expect: [CHECK]),
+)";
+
+struct Held {
+    fixture: Fixture,
+    rendered: Rendered,
+    around: Vec<Option<Around>>,
+}
+
+fn held(expect: &str) -> Held {
+    let text = SCENE.replace("CHECK", expect);
+    let files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
+    let fixture = Fixture::read("a", &text, &files, Build::Bvh).unwrap();
+    let rendered = fixture.render().unwrap();
+    // Samples are moved far, so that a few pixels are edges.
+    let around = tracer::edges(&fixture.scene, 0.25);
+    Held { fixture, rendered, around }
+}
+
+const STRICT: Allowance = Allowance { tolerance: 1e-5, edges: 1.0 };
+
+impl Held {
+    fn reference(&self) -> Reference<'_> {
+        let Self { fixture, rendered, around } = self;
+        Reference { fixture, rendered, around }
+    }
+
+    /// A picture in 32-bit floats that is changed by this.
+    fn floats(&self, change: impl Fn(u32, u32, Rgb) -> Rgb) -> Stored {
+        let linear = &self.rendered.linear;
+        let changed =
+            LinearImage::from_fn(linear.size(), |x, y| change(x, y, linear.get(x, y).unwrap()));
+        Stored::read(&to_exr(&changed).unwrap()).unwrap()
+    }
+
+    /// The same in codes up to `max`, by a curve.
+    fn codes(&self, max: u16, curve: fn(f64) -> f64) -> Stored {
+        let linear = &self.rendered.linear;
+        let Size { width, height } = linear.size();
+        let mut file = format!("P3 {width} {height} {max}\n");
+        for channel in linear.pixels().iter().flat_map(|pixel| pixel.channels()) {
+            let code = (curve(channel).clamp(0.0, 1.0) * f64::from(max)).round();
+            write!(file, "{code} ").unwrap();
+        }
+        Stored::read(file.as_bytes()).unwrap()
+    }
+
+    fn judged(&self, stored: &Stored, meaning: Meaning) -> Judged {
+        judge(&self.reference(), &Levels::of(stored, meaning).unwrap(), STRICT)
+    }
+
+    /// Any pixel that is an edge, and any that is none.
+    fn edge_and_interior(&self) -> [(u32, u32); 2] {
+        let width = self.rendered.linear.size().width;
+        let place = |at: usize| (at as u32 % width, at as u32 / width);
+        let first = |is_edge: bool| self.around.iter().position(|a| a.is_some() == is_edge);
+        [true, false].map(|is_edge| place(first(is_edge).unwrap()))
+    }
+}
+
+fn plain() -> Meaning {
+    Meaning::default()
+}
+
+#[track_caller]
+fn fails(judged: &Judged, expected: &str) {
+    let found = judged.findings.join("\n");
+    assert!(found.contains(expected), "expected {expected:?} in:\n{found}");
+}
+
+#[test]
+fn the_very_picture_passes_in_any_encoding() {
+    let held = held("Pixel(at: (0, 0), rgb: (136, 186, 99)), Mirror(TopBottom)");
+    let held = Held { around: held.around, ..held };
+    let exact = Allowance { tolerance: 0.0, edges: 0.0 };
+    let levels = Levels::of(&held.floats(|_, _, c| c), plain()).unwrap();
+    let judged = judge(&held.reference(), &levels, exact);
+    assert_eq!((judged.numbers.interior_off, judged.numbers.edge_off), (0, 0));
+    assert_eq!((judged.step, judged.numbers.worst_at), (0.0, None));
+    assert!(judged.numbers.edge_pixels > 10);
+    for (max, least) in [(255, 1e-4), (65_535, 1e-7)] {
+        let linear = held.judged(&held.codes(max, |c| c), plain());
+        assert_eq!(linear.numbers.interior_off + linear.numbers.edge_off, 0, "{max}");
+        assert!(linear.step > least && linear.step < 1e3 * least, "{}", linear.step);
+        let gamma = held.codes(max, |c| libm::pow(c, 1.0 / 2.2));
+        let judged = held.judged(&gamma, Meaning { transfer: Transfer::Gamma22, ..plain() });
+        assert_eq!(judged.numbers.interior_off, 0);
+    }
+}
+
+#[test]
+fn one_interior_pixel_off_is_a_failure() {
+    let held = held("");
+    let [_, at] = held.edge_and_interior();
+    let by = |factor: f64| {
+        held.judged(&held.floats(|x, y, c| if (x, y) == at { c * factor } else { c }), plain())
+    };
+    assert_eq!(by(1.0 + 0.9e-5).findings, [""; 0]);
+    let judged = by(1.0 + 1.1e-5);
+    fails(&judged, "1 of ");
+    assert_eq!((judged.numbers.interior_off, judged.numbers.worst_at), (1, Some(at)));
+    assert!((judged.numbers.worst_interior - 1.1e-5).abs() < 1e-6);
+    assert_eq!(judged.off.iter().filter(|&&off| off).count(), 1);
+}
+
+#[test]
+fn an_edge_may_show_either_side_and_nothing_else() {
+    let held = held("");
+    let [at, _] = held.edge_and_interior();
+    let with = |color: [f64; 3]| {
+        let color = Rgb::from(color);
+        held.judged(&held.floats(|x, y, c| if (x, y) == at { color } else { c }), plain())
+    };
+    for side in [[0.25, 0.5, 0.125], [1.0, 0.0, 0.5], [0.5, 0.25, 0.25]] {
+        assert_eq!(with(side).findings, [""; 0]);
+    }
+    let judged = with([0.25, 0.5, 9.0]);
+    fails(&judged, "1 edge pixels show neither of what is on both sides");
+    assert_eq!((judged.numbers.edge_off, judged.numbers.interior_off), (1, 0));
+    // All edges at once, where only half of them may be.
+    let all = held.floats(|x, y, c| {
+        let around = held.around[(y * 24 + x) as usize];
+        around.map_or(c, |around| if c == around.low { around.high } else { around.low })
+    });
+    assert_eq!(held.judged(&all, plain()).findings, [""; 0]);
+    let levels = Levels::of(&all, plain()).unwrap();
+    let judged = judge(&held.reference(), &levels, Allowance { edges: 0.5, ..STRICT });
+    fails(&judged, "edge pixels differ: expected at most");
+}
+
+#[test]
+fn what_would_make_it_right_is_said() {
+    let held = held("");
+    let hinted = |stored: &Stored| hint(&held.reference(), stored, plain(), STRICT);
+    let size = held.rendered.linear.size();
+    let flipped = held.floats(|x, y, _| held.rendered.linear.get(x, size.height - 1 - y).unwrap());
+    assert!(hinted(&flipped).unwrap().contains("rows: BottomFirst"));
+    let gamma = held.codes(65_535, |c| libm::pow(c, 1.0 / 2.2));
+    assert!(hinted(&gamma).unwrap().contains("transfer: Gamma22"));
+    let both = held.floats(|x, y, _| {
+        let pixel = held.rendered.linear.get(x, size.height - 1 - y).unwrap();
+        Rgb::from(pixel.channels().map(|c| libm::pow(c, 1.0 / 2.2)))
+    });
+    let said = hinted(&both).unwrap();
+    assert!(said.contains("rows: BottomFirst") && said.contains("transfer: Gamma22"), "{said}");
+    assert_eq!(hinted(&held.floats(|_, _, c| c * 0.5)), None);
+    let turned = Meaning { rows: Rows::BottomFirst, ..plain() };
+    assert_eq!(held.judged(&flipped, turned).findings, [""; 0]);
+}
+
+#[test]
+fn what_is_known_on_paper_is_asked() {
+    /// With every pixel of the picture times `factor`, the tolerance being wide.
+    #[track_caller]
+    fn check(expect: &str, factor: f64, expected: Option<&str>) {
+        let held = held(expect);
+        let levels = Levels::of(&held.floats(|_, _, c| c * factor), plain()).unwrap();
+        let scale = Scale::of(&held.rendered.linear);
+        let found = expect::broken(&held.reference(), &levels, scale, 1e-5);
+        match expected {
+            None => assert_eq!(found, [""; 0]),
+            Some(expected) => assert!(found[0].contains(expected), "{found:?}"),
+        }
+    }
+    let pixel = "Pixel(at: (0, 0), rgb: (136, 186, 99))";
+    check(pixel, 1.0, None);
+    check(pixel, 1.1, Some("pixel (0, 0): expected the 8-bit color (136, 186, 99)"));
+    let radiance = "Radiance(at: (12, 8), rgb: (1, 0, 0.5), within: 1e-3)";
+    check(radiance, 1.0009, None);
+    check(radiance, 1.002, Some("radiance of pixel (12, 8)"));
+    let ratio = "Ratio(of: (0, 0), to: (23, 0), is: 1)";
+    check(ratio, 3.0, None);
+    check("Ratio(of: (0, 0), to: (23, 0), is: 1.5)", 1.0, Some("ratio of pixels"));
+    let count = "Count(rgb: (136, 186, 99), pixels: 300)";
+    check(count, 1.0, None);
+    check(count, 0.5, Some("pixels of color (136, 186, 99): expected 300, found 0 to"));
+    check("Mirror(LeftRight)", 1.0, None);
+}
+
+#[test]
+fn a_mirror_that_is_broken_is_said() {
+    let held = held("Mirror(LeftRight)");
+    let [_, at] = held.edge_and_interior();
+    let one = held.floats(|x, y, c| if (x, y) == at { c * 2.0 } else { c });
+    fails(&held.judged(&one, plain()), "LeftRight mirror: pixels (0, 0) and (23, 0)");
+}

@@ -1,0 +1,253 @@
+//! One scene given to a renderer, and what came of it.
+
+use std::time::Duration;
+
+use harness::picture_file::Stored;
+use harness::store::{self, Scratch, StoreError};
+use interchange::Feature;
+use interchange::export::{Exported, NotWritten, export};
+use tracer::edges;
+
+use super::artifacts::{Kept, keep, write_strip};
+use super::{Plan, Renderer, Subject};
+use crate::judge::{Allowance, Judged, Levels, Reference, hint, judge};
+use crate::process::{Bounds, Ended, Ran, run};
+use crate::{Evidence, FixtureResult, Outcome as Said};
+
+/// The most that a renderer may write into its folder, in bytes.
+const MAX_WRITTEN: u64 = 2 << 30;
+
+/// The largest picture file that is read, in bytes.
+const MAX_PICTURE: u64 = 1 << 30;
+
+/// The most of a picture that is kept for somebody to look at, in bytes.
+const MAX_KEPT: usize = 64 << 20;
+
+/// What came of a scene.
+pub(super) struct Outcome {
+    pub(super) result: FixtureResult,
+    pub(super) evidence: Option<Evidence>,
+    pub(super) by_hand: Option<String>,
+}
+
+/// What is said of a run: an outcome, why, and the comparison if there is one.
+struct Verdict {
+    outcome: Said,
+    findings: Vec<String>,
+    judged: Option<(Judged, Evidence)>,
+}
+
+impl Verdict {
+    fn because(outcome: Said, why: impl Into<String>) -> Self {
+        Self { outcome, findings: vec![why.into()], judged: None }
+    }
+}
+
+/// Gives a scene to a renderer and judges its picture; `None` where it was time to
+/// end.
+///
+/// # Errors
+/// Files that cannot be written, and a program that cannot be started.
+pub(super) fn render_and_judge(
+    renderer: &Renderer,
+    subject: &Subject,
+    plan: &Plan<'_>,
+) -> Result<Option<Outcome>, StoreError> {
+    let result = |verdict: &Verdict, elapsed: Duration| FixtureResult {
+        features: subject.features.clone(),
+        outcome: verdict.outcome,
+        findings: verdict.findings.clone(),
+        numbers: verdict.judged.as_ref().map(|(judged, _)| judged.numbers),
+        elapsed_ms: elapsed.as_secs_f64() * 1e3,
+    };
+    let exported = match exported(renderer, subject) {
+        Ok(exported) => exported,
+        Err(findings) => {
+            let verdict = Verdict { outcome: Said::Unsupported, findings, judged: None };
+            let result = result(&verdict, Duration::ZERO);
+            return Ok(Some(Outcome { result, evidence: None, by_hand: None }));
+        }
+    };
+    let scratch = Scratch::new()?;
+    for (name, bytes) in &exported.files {
+        store::write(&scratch.path(name), bytes)?;
+    }
+    let words = words(renderer, subject, &exported);
+    let mut command = renderer.command(&words, scratch.folder());
+    // What it leaves there goes away with the folder.
+    command.env("TMPDIR", scratch.folder());
+    let time = plan.timeout.unwrap_or(renderer.adapter.timeout);
+    let growth = Some((scratch.folder(), MAX_WRITTEN));
+    let ran = run(&mut command, &Bounds { time, growth, stop: plan.stop });
+    let ran = ran.map_err(|error| StoreError {
+        path: words.first().map(Into::into).unwrap_or_default(),
+        what: format!("cannot be run: {error}"),
+    })?;
+    if ran.ended == Ended::Stopped {
+        return Ok(None);
+    }
+    let output = &renderer.adapter.output;
+    let picture = match store::read(&scratch.path(output), MAX_PICTURE) {
+        // Files of the scene are none of the renderer's.
+        Ok(_) if exported.files.contains_key(output) => Ok(None),
+        Ok(bytes) => Ok(bytes),
+        Err(error) => Err(error.what),
+    };
+    let verdict = verdict(renderer, subject, (&ran, time), picture.as_ref());
+    let result = result(&verdict, ran.elapsed);
+    let mut by_hand = None;
+    if verdict.outcome != Said::Pass {
+        let output = picture.as_ref().ok().and_then(Option::as_deref);
+        let output = output.filter(|bytes| bytes.len() <= MAX_KEPT);
+        let output = output.map(|bytes| (renderer.adapter.output.as_str(), bytes));
+        let said = printed(&ran);
+        let kept = Kept { files: &exported.files, output, said: &said, words: &words };
+        by_hand = Some(keep(plan.folder, &subject.name, &kept)?);
+    }
+    let evidence = verdict.judged.map(|(_, evidence)| evidence);
+    if let (Some(evidence), Some(_)) = (&evidence, &by_hand) {
+        write_strip(plan.folder, subject, evidence)?;
+    }
+    Ok(Some(Outcome { result, evidence, by_hand }))
+}
+
+/// The scene in the renderer's language.
+///
+/// # Errors
+/// Why it is not asked.
+fn exported(renderer: &Renderer, subject: &Subject) -> Result<Exported, Vec<String>> {
+    const SAMPLES: [Feature; 4] = [
+        Feature::GridSamples,
+        Feature::ScatteredSamples,
+        Feature::PixelFilter,
+        Feature::AdaptiveSamples,
+    ];
+    let adapter = &renderer.adapter;
+    let declared = subject.features.iter().filter_map(|feature| {
+        let reason = adapter.unsupported.get(feature)?;
+        let reason = if reason.is_empty() { String::new() } else { format!(": {reason}") };
+        Some(format!("its adapter says that it has no {feature}{reason}"))
+    });
+    let mut findings: Vec<String> = declared.collect();
+    if !adapter.same_samples {
+        let samples = subject.features.iter().filter(|feature| SAMPLES.contains(feature));
+        findings.extend(samples.map(|feature| {
+            format!("{feature}: its adapter does not say that it takes the same samples")
+        }));
+    }
+    if !findings.is_empty() {
+        return Err(findings);
+    }
+    let dialect = adapter.scene;
+    match export(dialect, &subject.fixture.scene_file(), subject.fixture.assets()) {
+        Ok(exported) => Ok(exported),
+        Err(NotWritten::Cannot(features)) => {
+            let names: Vec<_> = features.iter().map(|feature| feature.name()).collect();
+            Err(vec![format!("{dialect:?} has no words for {}", names.join(", "))])
+        }
+        Err(NotWritten::Bad(why)) => Err(vec![format!("not written as {dialect:?}: {why}")]),
+    }
+}
+
+/// The program and its arguments for a scene.
+fn words(renderer: &Renderer, subject: &Subject, exported: &Exported) -> Vec<String> {
+    let size = subject.fixture.scene.size();
+    let filling = crate::adapter::Filling {
+        scene: exported.main.clone(),
+        output: renderer.adapter.output.clone(),
+        width: size.width,
+        height: size.height,
+        samples: subject.fixture.scene.samples().samples_per_pixel(),
+        ..renderer.filling.clone()
+    };
+    renderer.adapter.command.iter().map(|word| word.filled(&filling)).collect()
+}
+
+/// What is said of a run.
+fn verdict(
+    renderer: &Renderer,
+    subject: &Subject,
+    (ran, time): (&Ran, Duration),
+    picture: Result<&Option<Vec<u8>>, &String>,
+) -> Verdict {
+    let status = match ran.ended {
+        Ended::Alone(status) if status.success() => None,
+        Ended::Alone(status) => Some((Said::Crashed, format!("it ended by {status}"))),
+        Ended::OutOfTime => {
+            let why = format!("it was killed after {} s", time.as_secs_f64());
+            Some((Said::TimedOut, why))
+        }
+        Ended::TooMuch | Ended::Stopped => {
+            let why = format!("it was killed as it wrote more than {MAX_WRITTEN} bytes");
+            Some((Said::BadPicture, why))
+        }
+    };
+    if let Some((outcome, why)) = status {
+        return Verdict::because(outcome, format!("{why}{}", last_words(ran)));
+    }
+    let output = &renderer.adapter.output;
+    let stored = match picture {
+        Ok(None) => {
+            let why = format!("it ended well, but there is no {output}{}", last_words(ran));
+            return Verdict::because(Said::NoPicture, why);
+        }
+        Ok(Some(bytes)) => Stored::read(bytes),
+        Err(why) => Err(why.clone()),
+    };
+    let meaning = renderer.adapter.meaning;
+    let bad = |why: String| Verdict::because(Said::BadPicture, format!("{output} {why}"));
+    let stored = match stored {
+        Ok(stored) => stored,
+        Err(why) => return bad(why),
+    };
+    let (expected, found) = (subject.fixture.scene.size(), stored.size());
+    if expected != found {
+        let why = format!(
+            "expected {} x {} pixels, found {} x {}",
+            expected.width, expected.height, found.width, found.height
+        );
+        return Verdict::because(Said::WrongSize, why);
+    }
+    let levels = match Levels::of(&stored, meaning) {
+        Ok(levels) => levels,
+        Err(why) => return bad(why),
+    };
+    let around = edges(&subject.fixture.scene, renderer.adapter.edge_reach);
+    let (fixture, rendered) = (&subject.fixture, &subject.rendered);
+    let reference = Reference { fixture, rendered, around: &around };
+    let allowance = Allowance::of(&renderer.adapter);
+    let judged = judge(&reference, &levels, allowance);
+    let mut findings = judged.findings.clone();
+    if !findings.is_empty() {
+        findings.extend(hint(&reference, &stored, meaning, allowance));
+    }
+    let evidence = Evidence {
+        reference: rendered.linear.clone(),
+        actual: levels.nominal().clone(),
+        step: judged.step,
+        edges: around.iter().map(Option::is_some).collect(),
+        off: judged.off.clone(),
+    };
+    let outcome = if findings.is_empty() { Said::Pass } else { Said::Fail };
+    Verdict { outcome, findings, judged: Some((judged, evidence)) }
+}
+
+/// The last line that it printed as an error, else the last one, as the end of a
+/// sentence.
+fn last_words(ran: &Ran) -> String {
+    const MOST: usize = 200;
+    let last = |text: String| {
+        let line = text.lines().rev().map(str::trim).find(|line| !line.is_empty())?;
+        Some(scene::visible(line).chars().take(MOST).collect::<String>())
+    };
+    let said = last(ran.stderr.text()).or_else(|| last(ran.stdout.text()));
+    said.map_or(String::new(), |said| format!("; it said: {said}"))
+}
+
+/// All that was kept of what it printed.
+fn printed(ran: &Ran) -> String {
+    let parts = [("standard output", &ran.stdout), ("standard error", &ran.stderr)];
+    let parts = parts.into_iter().filter(|(_, heard)| heard.bytes() > 0);
+    let parts = parts.map(|(name, heard)| format!("== {name}\n{}\n", heard.text()));
+    parts.collect::<Vec<_>>().concat()
+}

@@ -1,0 +1,77 @@
+//! `Subject`: a fixture that others may be judged by, as goldray is right about it.
+
+use std::collections::BTreeSet;
+
+use harness::expectation::Rendered;
+use harness::fixture::Fixture;
+use harness::judge::judge;
+use harness::run::{find_golden, render_fixture};
+use harness::suite::Suite;
+use harness::verdict::Verdict;
+use interchange::Feature;
+use interchange::feature::features;
+use rayon::prelude::*;
+
+/// A fixture with goldray's picture of it, which is its golden.
+#[derive(Debug)]
+pub struct Subject {
+    /// Its name.
+    pub name: String,
+    /// What the picture is held to.
+    pub fixture: Fixture,
+    /// goldray's picture.
+    pub rendered: Rendered,
+    /// What its scene asks for.
+    pub features: BTreeSet<Feature>,
+}
+
+/// A fixture that goldray itself does not match, so that nobody is judged by it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotItself {
+    /// Its name.
+    pub name: String,
+    /// What is said of goldray's own picture, and why.
+    pub why: String,
+}
+
+/// Renders fixtures by goldray, and holds its pictures against their goldens and
+/// what they expect; `on_subject` hears of each, from any thread.
+///
+/// # Errors
+/// Those that are no match.
+pub fn subjects(
+    suite: &Suite,
+    names: &[String],
+    on_subject: &(dyn Fn(&str) + Sync),
+) -> Result<Vec<Subject>, Vec<NotItself>> {
+    let all: Vec<_> = names
+        .par_iter()
+        .map(|name| {
+            let made = subject(suite, name);
+            on_subject(name);
+            made
+        })
+        .collect();
+    let mut good = Vec::new();
+    let mut bad = Vec::new();
+    for made in all {
+        match made {
+            Ok(subject) => good.push(subject),
+            Err(why) => bad.push(why),
+        }
+    }
+    if bad.is_empty() { Ok(good) } else { Err(bad) }
+}
+
+fn subject(suite: &Suite, name: &str) -> Result<Subject, NotItself> {
+    let refused = |why: String| NotItself { name: name.to_owned(), why };
+    let (fixture, rendered) = render_fixture(suite, name).map_err(refused)?;
+    let judgment = judge(&fixture, &rendered, &find_golden(&suite.golden_path(name)));
+    // How large a golden's file is says nothing of its picture.
+    if !matches!(judgment.verdict, Verdict::Match | Verdict::GoldenFileSize) {
+        let why = format!("{}: {}", judgment.verdict.words(), judgment.findings.join("; "));
+        return Err(refused(why));
+    }
+    let features = features(&fixture.scene_file());
+    Ok(Subject { name: name.to_owned(), fixture, rendered, features })
+}

@@ -1,0 +1,72 @@
+//! XML text to a tree, or why it is none.
+//!
+//! No text is too deep, and none grows: documents with a DTD, the only place
+//! where entities are declared, are refused, and so are more bytes or nodes than
+//! any scene has.
+
+use roxmltree::{Document, Error, ParsingOptions};
+
+use crate::import::Unreadable;
+use crate::import::text::Text;
+
+/// The largest file that is read: no scene of the course has a thousandth of it.
+const MAX_BYTES: usize = 16 << 20;
+
+/// The most elements, texts and comments together.
+const MAX_NODES: u32 = 2_000_000;
+
+/// The tree of a text.
+///
+/// # Errors
+/// Where it is no XML, or more than is read.
+pub(super) fn parse<'a>(text: &Text<'a>) -> Result<Document<'a>, Unreadable> {
+    if text.text.len() > MAX_BYTES {
+        return Err(problem(
+            None,
+            format!("expected XML of at most {MAX_BYTES} bytes, found {}", text.text.len()),
+            "put large meshes into files of their own",
+        ));
+    }
+    let options =
+        ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+    Document::parse_with_options(text.text, options).map_err(|error| explain(text, &error))
+}
+
+fn explain(text: &Text<'_>, error: &Error) -> Unreadable {
+    let end = || Some(text.place(text.text.len()));
+    match error {
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => problem(
+            end(),
+            "expected the file's elements to be closed, found its end".to_owned(),
+            "the file may have been cut off",
+        ),
+        Error::NoRootNode => {
+            problem(end(), "expected the element scene, found no element".to_owned(), START)
+        }
+        Error::DtdDetected => problem(
+            text.text.find("<!DOCTYPE").map(|byte| text.place(byte)),
+            "expected no document type declaration, found one".to_owned(),
+            "remove it, and write what its entities stand for",
+        ),
+        Error::NodesLimitReached => problem(
+            None,
+            format!("expected at most {MAX_NODES} elements and texts, found more"),
+            "put large meshes into files of their own",
+        ),
+        other => {
+            let place = other.pos();
+            let place = (place.row as usize, place.col as usize);
+            // The parser's sentence ends with the place, which is given apart.
+            let said = other.to_string();
+            let ending = format!(" at {}:{}", place.0, place.1);
+            let said = said.replace(&ending, "");
+            problem(Some(place), format!("expected XML, found a mistake in it: {said}"), START)
+        }
+    }
+}
+
+const START: &str = "a scene of the course begins with <scene>";
+
+fn problem(place: Option<(usize, usize)>, message: String, help: &str) -> Unreadable {
+    Unreadable { place, message, help: Some(help.to_owned()) }
+}

@@ -1,0 +1,227 @@
+//! `conform`: the suite rendered by other renderers, and judged.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use conform::run::{Plan, RESULTS, Renderer, Subject, Told, run, subjects};
+use conform::{Conformed, Outcome};
+use harness::suite::Suite;
+
+use crate::interrupt::Interrupt;
+use crate::progress::Progress;
+use crate::{Answer, CannotAsk, Here};
+
+/// Flags of `conform`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Args {
+    /// Which fixtures; all if none is given
+    #[arg(value_name = "FILTER")]
+    filters: Vec<String>,
+    /// A renderer: the name of an adapter, or a path to its file; give it again for more
+    #[arg(long = "renderer", value_name = "ADAPTER", required = true)]
+    renderers: Vec<String>,
+    /// Where results and what failures leave behind are put [default: target/goldray-conform]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the results of all renderers as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Render so many scenes at a time
+    #[arg(long, value_name = "COUNT", default_value = "1", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: u16,
+    /// Kill a renderer after so long, in place of what its adapter says
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    timeout: Option<Duration>,
+}
+
+const AFTER_HELP: &str = "\
+An ADAPTER says how a renderer is asked; docs/conform.md has its fields. It runs the program that it
+names, as you.
+Exit codes: 0 all pass, or are not supported; 1 something does not pass; 2 could not ask.
+
+Examples:
+  cargo xtask conform --renderer povray                     all fixtures by POV-Ray
+  cargo xtask conform --renderer goldray 'sphere/*'         some, by goldray in another process
+  cargo xtask conform --renderer povray --renderer mitsuba  two renderers, one after the other
+  cargo xtask conform --renderer mine/adapter.ron --timeout 5 --json results.json";
+
+/// A number of seconds as the flag has it.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let most = conform::adapter::MAX_TIMEOUT_S;
+    let found = text.parse().ok().filter(|found| (0.1..=most).contains(found));
+    found
+        .map(Duration::from_secs_f64)
+        .ok_or_else(|| format!("expected a number from 0.1 to {most}"))
+}
+
+pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
+    let suite = here.suite()?;
+    let interrupt = Interrupt::listen()?;
+    let stop = |time| interrupt.wait(time);
+    if let Some(json) = &args.json {
+        here.may_write(json)?;
+    }
+    let out = match &args.out {
+        Some(out) => {
+            here.may_write(&out.join(RESULTS))?;
+            out.clone()
+        }
+        None => suite.root().join(Suite::CONFORM),
+    };
+    let names = Here::fixtures(&suite, &args.filters)?;
+    // Before anything is rendered: a program that is not there is not asked.
+    let renderers = find(&suite, args, &out, &stop)?;
+    let subjects = right_ones(here, &suite, &names)?;
+    let mut all = Vec::new();
+    for renderer in &renderers {
+        let folder = out.join(&renderer.info.id);
+        let plan =
+            Plan { jobs: args.jobs.into(), timeout: args.timeout, folder: &folder, stop: &stop };
+        let Some(conformed) = one(renderer, &subjects, &plan)? else {
+            return Ok(interrupted(&renderer.info.name));
+        };
+        println!("results: {}", folder.join(RESULTS).display());
+        all.push(conformed);
+    }
+    if let Some(json) = &args.json {
+        let runs: Vec<_> = all.iter().map(|conformed| &conformed.run).collect();
+        here.write(json, format!("{}\n", serde_json::to_string_pretty(&runs)?).as_bytes())?;
+        println!("wrote {}", json.display());
+    }
+    let outcomes = all.iter().flat_map(|conformed| conformed.run.fixtures.values());
+    let mut outcomes = outcomes.map(|result| result.outcome);
+    let is_fine = outcomes.all(|outcome| matches!(outcome, Outcome::Pass | Outcome::Unsupported));
+    Ok(if is_fine { Answer::Yes } else { Answer::No })
+}
+
+/// What a shell calls ended by Ctrl-C.
+fn interrupted(name: &str) -> Answer {
+    const CODE: u8 = 130;
+    eprintln!("interrupted: {name} has not rendered everything, and nothing of it is left running");
+    Answer::Code(CODE)
+}
+
+/// The renderers that were named, each of which is there.
+fn find(
+    suite: &Suite,
+    args: &Args,
+    out: &Path,
+    stop: conform::process::Stop<'_>,
+) -> Result<Vec<Renderer>, CannotAsk> {
+    let program = std::env::current_exe()?;
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let mut renderers: Vec<Renderer> = Vec::new();
+    for wanted in &args.renderers {
+        let found = Renderer::find(suite, wanted, (out, &program, &path), stop);
+        let found = found.map_err(|conform::run::CannotAsk(why)| CannotAsk(why))?;
+        if renderers.iter().any(|other| other.info.id == found.info.id) {
+            return Err(CannotAsk(format!(
+                "--renderer {wanted}: expected another renderer, found the id \"{}\" twice",
+                found.info.id
+            )));
+        }
+        renderers.push(found);
+    }
+    Ok(renderers)
+}
+
+/// The fixtures with goldray's own pictures, all of which are right.
+fn right_ones(here: &Here, suite: &Suite, names: &[String]) -> Result<Vec<Subject>, CannotAsk> {
+    let progress = Progress::start("rendering", names.len());
+    let made = subjects(suite, names, &|name| progress.advance(name));
+    progress.finish();
+    made.map_err(|wrong| {
+        const SHOWN: usize = 8;
+        let lines =
+            wrong.iter().take(SHOWN).map(|w| format!("  {}: {}\n", w.name, w.why.trim_end()));
+        let lines: String = lines.collect();
+        let more = match wrong.len().saturating_sub(SHOWN) {
+            0 => String::new(),
+            more => format!("  and {more} more\n"),
+        };
+        let flag = here.reader(suite).root_flag;
+        CannotAsk(format!(
+            "nobody is judged by fixtures that goldray does not match itself, and {} of {} are no \
+             match:\n{lines}{more}cargo xtask{flag} check says more; a FILTER leaves them out",
+            wrong.len(),
+            names.len()
+        ))
+    })
+}
+
+/// All fixtures by one renderer.
+fn one(
+    renderer: &Renderer,
+    subjects: &[Subject],
+    plan: &Plan<'_>,
+) -> Result<Option<Conformed>, CannotAsk> {
+    let version = match renderer.info.version.as_str() {
+        "" => String::new(),
+        version => format!(" ({version})"),
+    };
+    println!("{}{version}", renderer.info.name);
+    let started = Instant::now();
+    let progress = Progress::start("conforming", subjects.len());
+    // Lines come in the order of names, whoever ends first.
+    let lines = std::sync::Mutex::new(BTreeMap::new());
+    let told = |told: &Told<'_>| {
+        let mut lines = lines.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if told.result.outcome != Outcome::Pass {
+            lines.insert(told.name.to_owned(), line(told));
+        }
+        progress.advance(told.name);
+    };
+    let conformed = run(renderer, subjects, plan, &told);
+    progress.finish();
+    let lines = lines.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    for line in lines.values() {
+        println!("{line}");
+    }
+    let Some(conformed) = conformed? else { return Ok(None) };
+    let counts = summary(&conformed);
+    println!("{}: {counts} ({:.1} s)", renderer.info.name, started.elapsed().as_secs_f64());
+    Ok(Some(conformed))
+}
+
+/// The words of an outcome, as its JSON has them.
+fn words(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Pass => "pass",
+        Outcome::Fail => "fail",
+        Outcome::Unsupported => "unsupported",
+        Outcome::Crashed => "crashed",
+        Outcome::TimedOut => "timed out",
+        Outcome::NoPicture => "no picture",
+        Outcome::BadPicture => "bad picture",
+        Outcome::WrongSize => "wrong size",
+    }
+}
+
+/// What is said of a fixture that does not pass.
+fn line(told: &Told<'_>) -> String {
+    let Told { name, result, by_hand } = told;
+    let by_hand = by_hand.as_ref();
+    let by_hand = by_hand.map(|by_hand| format!("\n            by hand: {by_hand}"));
+    let findings = result.findings.join(" | ");
+    format!("{:<11} {name}: {findings}{}", words(result.outcome), by_hand.unwrap_or_default())
+}
+
+/// How many of each outcome, and how far the interior of those that pass is off.
+fn summary(conformed: &Conformed) -> String {
+    let results = conformed.run.fixtures.values();
+    let outcomes: BTreeSet<_> = results.clone().map(|result| result.outcome).collect();
+    let count = |outcome| results.clone().filter(|result| result.outcome == outcome).count();
+    let counts = outcomes.iter().map(|&outcome| format!("{} {}", count(outcome), words(outcome)));
+    let counts: Vec<_> = counts.collect();
+    let numbers = results.clone().filter_map(|result| result.numbers);
+    let (mut worst, mut off, mut edges) = (0.0_f64, 0, 0);
+    for numbers in numbers {
+        worst = worst.max(numbers.worst_interior);
+        off += numbers.edge_off;
+        edges += numbers.edge_pixels;
+    }
+    let pictures = format!("worst interior error {worst:.2e}, {off} of {edges} edge pixels differ");
+    format!("{}; {pictures}", counts.join(", "))
+}
