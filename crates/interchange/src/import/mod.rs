@@ -116,10 +116,10 @@ type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unrea
 const READERS: &[(&str, Reader)] = &[
     ("xml", cornell::read),
     ("nff", nff::read),
-    ("glb", gltf::read),
-    ("gltf", gltf::read),
     ("json", json::read),
     ("obj", obj::read),
     ("ply", ply::read),
     ("stl", stl::read),
+    ("gltf", gltf::read),
+    ("glb", gltf::read),
 ];

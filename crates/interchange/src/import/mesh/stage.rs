@@ -61,14 +61,17 @@ impl Stage {
         let mut scene = blank()?;
         scene.image = self.image(wishes);
         scene.camera = self.camera(wishes, bounds, scene.image);
-        scene.shading = self.shading;
+        scene.shading = wishes.shading.unwrap_or(self.shading);
+        if wishes.shading.is_none() {
+            self.chosen.push(format!("{:?} shading, the nearest to the format's", self.shading));
+        }
         if self.lights.is_empty() {
             self.chosen.push(
                 "no light is in the file: a white one shines along the camera's view, with \
                  a tenth of it from everywhere"
                     .to_owned(),
             );
-            let full = match self.shading {
+            let full = match scene.shading {
                 Shading::Classic | Shading::Attenuated => 1.0,
                 Shading::Radiometric => std::f64::consts::PI,
             };
