@@ -134,7 +134,7 @@ fn what_is_not_known_is_lost() {
         ],
     );
     let (diffuse, specular) = (Some([0.5, 0.25, 0.0]), [0.25; 3]);
-    let expected = Material::BlinnPhong { diffuse, specular, exponent: 8.0 };
+    let expected = Material::BlinnPhong { diffuse, specular, exponent: 8.0, texture: None };
     assert_eq!(imported.scene.materials["f1"], expected);
     loses("f 1 1 1 1 1 0 0 1", &["its mirror", "a highlight of the exponent 0"]);
 }

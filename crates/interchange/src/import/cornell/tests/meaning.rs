@@ -130,30 +130,40 @@ fn shaders_become_materials() {
         assert_eq!(imported.scene.objects[1].material(), Some(expected), "{shader}");
     }
     let color = [0.2, 0.5, 1.0];
-    check("<shader type=\"Lambertian\"/>", &Material::Lambert { diffuse: None });
+    check("<shader type=\"Lambertian\"/>", &Material::Lambert { diffuse: None, texture: None });
     check(
         "<shader type=\"Lambertian\"><diffuseColor>.2 .5 1</diffuseColor></shader>",
-        &Material::Lambert { diffuse: Some(color) },
+        &Material::Lambert { diffuse: Some(color), texture: None },
     );
     check(
         "<shader type=\"Phong\"/>",
-        &Material::BlinnPhong { diffuse: None, specular: [1.0; 3], exponent: 1.0 },
+        &Material::BlinnPhong { diffuse: None, specular: [1.0; 3], exponent: 1.0, texture: None },
     );
     check(
         "<shader type=\"Phong\"><diffuseColor>.2f .5D 1.</diffuseColor>\
          <specularColor>0 <!-- red --> 0 1</specularColor><exponent>5e1</exponent></shader>",
-        &Material::BlinnPhong { diffuse: Some(color), specular: [0.0, 0.0, 1.0], exponent: 50.0 },
+        &Material::BlinnPhong {
+            diffuse: Some(color),
+            specular: [0.0, 0.0, 1.0],
+            exponent: 50.0,
+            texture: None,
+        },
     );
     check(
         "<shader type=\"Constant\"><color>.2 .5 1</color></shader>",
-        &Material::Constant { color },
+        &Material::Constant { color, texture: None },
     );
     for kind in ["Normal", "RGBNormals", "ShowNormal"] {
         check(&format!("<shader type=\"{kind}\"></shader>"), &Material::Normal);
     }
     // The later years' Phong is white where it does not say, unlike Lambert.
     let later = with("<exposure>1</exposure><shader name=\"a\" type=\"Phong\"/>").unwrap();
-    let white = Material::BlinnPhong { diffuse: Some([1.0; 3]), specular: [1.0; 3], exponent: 1.0 };
+    let white = Material::BlinnPhong {
+        diffuse: Some([1.0; 3]),
+        specular: [1.0; 3],
+        exponent: 1.0,
+        texture: None,
+    };
     assert_eq!(later.scene.materials["a"], white);
     let after = "<surface type=\"Box\"><shader ref=\"a\"/><maxPt>1 1 1</maxPt></surface>\
                  <shader name=\"a\" type=\"Normal\"/>";

@@ -136,9 +136,9 @@ fn check(material: &Value, expected: &Material, expected_lost: &str) {
 
 #[test]
 fn materials_are_their_base_colors() {
-    let white = || Material::Lambert { diffuse: Some([1.0; 3]) };
+    let white = || Material::Lambert { diffuse: Some([1.0; 3]), texture: None };
     let plain = json!({"metallicFactor": 0, "baseColorFactor": [1, 0.5, 0, 0.25]});
-    let orange = || Material::Lambert { diffuse: Some([1.0, 0.5, 0.0]) };
+    let orange = || Material::Lambert { diffuse: Some([1.0, 0.5, 0.0]), texture: None };
     check(&json!({"pbrMetallicRoughness": plain}), &orange(), "");
     let lost = "materials[0]: pbrMetallicRoughness: metallic 1 and roughness 1 are left out: it \
                 scatters its base color evenly\n";
@@ -146,7 +146,7 @@ fn materials_are_their_base_colors() {
     let unlit = json!({"KHR_materials_unlit": {}});
     check(
         &json!({"extensions": unlit, "pbrMetallicRoughness": plain, "emissiveFactor": [1, 1, 1]}),
-        &Material::Constant { color: [1.0, 0.5, 0.0] },
+        &Material::Constant { color: [1.0, 0.5, 0.0], texture: None },
         "",
     );
     let all = json!({
