@@ -56,7 +56,7 @@ mod tests {
         let ball = |radius| Object::Sphere { center: [0.0; 3], radius, material: None };
         assert_eq!(sense.of_object(&ball(1.0)), [""; 0]);
         assert!(sense.of_object(&ball(-1.0))[0].contains("`radius`"));
-        let wrong = Material::Constant { color: [-1.0, 0.0, 0.0] };
+        let wrong = Material::Constant { color: [-1.0, 0.0, 0.0], texture: None };
         assert!(sense.of_material(&wrong)[0].contains("`color`"));
     }
 }

@@ -200,7 +200,10 @@ fn equal_fills_are_one_material() {
     let named = |object: &Object| object.material().cloned();
     let expected = ["f1", "f2", "f1"].map(|name| Some(Material::Named(name.to_owned())));
     assert_eq!(scene.objects.iter().map(named).collect::<Vec<_>>(), expected);
-    assert_eq!(scene.materials["f2"], Material::Lambert { diffuse: Some([0.0, 0.5, 0.0]) });
+    assert_eq!(
+        scene.materials["f2"],
+        Material::Lambert { diffuse: Some([0.0, 0.5, 0.0]), texture: None }
+    );
 }
 
 #[test]

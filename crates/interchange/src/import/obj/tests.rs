@@ -76,11 +76,15 @@ fn each_material_has_its_mesh_with_what_it_uses() {
     );
     assert_eq!(imported.lost, []);
     let material = |name: &str| imported.scene.materials[name].clone();
-    assert_eq!(material("red"), Material::Lambert { diffuse: Some([1.0, 0.0, 0.25]) });
+    assert_eq!(
+        material("red"),
+        Material::Lambert { diffuse: Some([1.0, 0.0, 0.25]), texture: None }
+    );
     let gloss = Material::BlinnPhong {
         diffuse: Some([0.5; 3]),
         specular: [0.25, 0.5, 1.0],
         exponent: 20.0,
+        texture: None,
     };
     assert_eq!(material("gloss"), gloss);
     assert_eq!(imported.scene.materials.len(), 2, "the unused one is not there");
@@ -160,12 +164,13 @@ fn check_material(statements: &str, expected: &Material, expected_lost: &str) {
 
 #[test]
 fn materials_are_what_their_model_says() {
-    let white = || Material::Lambert { diffuse: Some([1.0; 3]) };
-    check_material("", &Material::Lambert { diffuse: None }, "");
+    let white = || Material::Lambert { diffuse: Some([1.0; 3]), texture: None };
+    check_material("", &Material::Lambert { diffuse: None, texture: None }, "");
     check_material("Kd 1\nillum 1\nKs 1 1 1", &white(), "");
-    check_material("Kd 1\nillum 0", &Material::Constant { color: [1.0; 3] }, "");
+    check_material("Kd 1\nillum 0", &Material::Constant { color: [1.0; 3], texture: None }, "");
     check_material("Kd 1\nKs 0 0 0\nNs 0\nillum 2\nNi 1.5\nd 1\nTf 1 1 1\nKa 1", &white(), "");
-    let everywhere = Material::BlinnPhong { diffuse: None, specular: [1.0; 3], exponent: 1e-60 };
+    let everywhere =
+        Material::BlinnPhong { diffuse: None, specular: [1.0; 3], exponent: 1e-60, texture: None };
     check_material("Ks 1\nNs 0", &everywhere, "");
     let of = |what: &str| format!("1:8: {what}\n");
     let said = of(
@@ -186,7 +191,7 @@ fn materials_are_what_their_model_says() {
     check_material("Kd 1\nbump b.png", &white(), &said);
     let said =
         of("Kd of material \"m\" (lib.mtl:2): a color by its spectrum or in CIE XYZ is left out");
-    check_material("Kd xyz 1 1 1", &Material::Lambert { diffuse: None }, &said);
+    check_material("Kd xyz 1 1 1", &Material::Lambert { diffuse: None, texture: None }, &said);
     let said =
         of("newmtl of material \"m\" (lib.mtl:3): a second material of the same name is left out");
     check_material("Kd 1\nnewmtl m\nKd 0", &white(), &said);
