@@ -53,6 +53,8 @@ enum Verb {
     List(verb::list::Args),
     /// Render a scene file or a fixture into a picture file
     Render(verb::render::Args),
+    /// Read scenes of other programs and write them as scene files
+    Import(verb::import::Args),
     /// Compare two picture files by every metric
     Compare(verb::compare::Args),
     /// Render the suite by another renderer, and judge its pictures
@@ -129,6 +131,7 @@ fn run(command: Command) -> ExitCode {
         Verb::Minimize(args) => verb::minimize::run(&here, &args),
         Verb::List(args) => verb::list::run(&here, &args),
         Verb::Render(args) => verb::render::run(&here, &args),
+        Verb::Import(args) => verb::import::run(&here, &args),
         Verb::Compare(args) => verb::compare::run(&args),
         Verb::Conform(args) => verb::conform::run_verb(&here, &args),
         Verb::Grade(args) => verb::grade::run(&here, &args),

@@ -20,6 +20,7 @@ pub mod case;
 pub mod check;
 pub mod counts;
 pub mod digest;
+pub mod distance;
 pub mod encode;
 pub mod evidence;
 pub mod expectation;

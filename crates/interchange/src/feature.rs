@@ -85,6 +85,16 @@ features! {
         BlinnPhong,
         /// One that is not gray. Only writers of scenes ask for it.
         ColoredHighlight,
+        /// A mirror.
+        Mirror,
+        /// Refraction, Fresnel's reflection and total internal reflection.
+        Dielectric,
+        /// Whitted's sum of light, reflection and transmission.
+        Whitted,
+        /// A clear coat by Fresnel's equations.
+        Glazed,
+        /// Schlick's law for what is reflected.
+        Schlick,
     }
     "lights": {
         /// A light at a point, as bright at any distance.
@@ -174,7 +184,8 @@ pub fn features<C>(file: &SceneFile<C>) -> BTreeSet<Feature> {
         if file.exposure != 1.0 {
             found.insert(Feature::Exposure);
         }
-        let is_lit = [Feature::Lambert, Feature::BlinnPhong].iter().any(|m| materials.contains(m));
+        let lit = [Feature::Lambert, Feature::BlinnPhong, Feature::Whitted, Feature::Glazed];
+        let is_lit = lit.iter().any(|material| materials.contains(material));
         if is_lit {
             of_lights(file, &mut found);
         }
@@ -244,7 +255,20 @@ fn of_objects<C>(
             Some(Material::Constant { .. }) => Feature::Constant,
             Some(Material::Normal) => Feature::NormalMaterial,
             Some(Material::BlinnPhong { .. }) => Feature::BlinnPhong,
+            Some(Material::Mirror { .. }) => Feature::Mirror,
+            Some(Material::Dielectric { .. }) => Feature::Dielectric,
+            Some(Material::Whitted { .. }) => Feature::Whitted,
+            Some(Material::Glazed { .. }) => Feature::Glazed,
         });
+        if let Some(
+            Material::Mirror { schlick: true, .. }
+            | Material::Dielectric { schlick: true, .. }
+            | Material::Whitted { schlick: true, .. }
+            | Material::Glazed { schlick: true, .. },
+        ) = named
+        {
+            materials.insert(Feature::Schlick);
+        }
     }
 }
 

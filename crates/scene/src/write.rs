@@ -29,7 +29,10 @@ mod tests {
         let text = r#"(
             version: 1, image: (8, 6),
             camera: LookAt(eye: (0.1, 1e-300, 5), at: (-0.0, 0, 0), fov_deg: 40),
-            materials: {"a b": Lambert(diffuse: (0.1, 0.2, 0.30000000000000004)), "c": Normal},
+            materials: {"a b": Lambert(diffuse: (0.1, 0.2, 0.30000000000000004)), "c": Normal,
+                "d": Mirror(schlick: true), "e": Dielectric(ior: 1.5, tint: (1, 1, 0.5)),
+                "f": Whitted(reflect: (0.5, 0, 0), ior: 1.25), "g": Glazed(ior: 1.5)},
+            bounces: 3,
             objects: [
                 Sphere(center: (0, 0, 0), radius: 1, material: Named("a b")),
                 Group(transform: [RotateDeg(0, 45, 0), Scale(1, 2, -1)], objects: []),
@@ -43,5 +46,21 @@ mod tests {
         assert_eq!(read(&written).unwrap().file, file, "{written}");
         assert!(written.lines().all(|line| line.len() < 120), "{written}");
         assert!(!written.contains("Some("), "{written}");
+    }
+
+    /// The canonical text of older files must stay, as goldens hold it.
+    #[test]
+    fn what_is_at_its_default_is_left_out() {
+        let text = r#"(
+            version: 1, image: (8, 6), bounces: 5,
+            camera: LookAt(eye: (0, 0, 5), at: (0, 0, 0), fov_deg: 40),
+            materials: {"a": Mirror(reflectance: (1, 1, 1), schlick: false),
+                "b": Whitted(specular: (0, 0, 0), exponent: 1, reflect: (0, 0, 0), ior: 1)},
+        )"#;
+        let file = load::<Unchecked>(text, &NoAssets, tracer::accel::Build::Bvh).unwrap().file;
+        let written = write(&file).unwrap();
+        for left_out in ["bounces", "reflectance", "schlick", "specular", "exponent", "ior"] {
+            assert!(!written.contains(left_out), "{written}");
+        }
     }
 }

@@ -36,6 +36,7 @@ broken! {
     a_file_cut_short: "cut-short.ron",
     samplers_and_filters: "sampling.ron",
     numbers_of_samples_and_radii: "samples.ron",
+    shares_and_indices: "mirrors.ron",
     samples_beside_an_error: "samples-and-error.ron",
 }
 

@@ -60,6 +60,7 @@ impl Known {
             lights: vec![],
             convention: Convention::Classic,
             shadows: false,
+            bounces: Scene::DEFAULT_BOUNCES,
             background: Rgb::BLACK,
             exposure: 1.0,
             show: Show::Silhouette,

@@ -197,6 +197,28 @@ faults! {
     /// A highlight has the diffuse color.
     HighlightColorDiffuse,
 
+    // Mirrors and glass.
+    /// A reflected ray goes the other way, into the mirror.
+    ReflectionReversed,
+    /// A mesh's interpolated normals do not bend reflections and refractions.
+    ReflectionFaceted,
+    /// A mirror reflects as much along its surface as straight on, where Schlick's law is asked for.
+    SchlickForgotten,
+    /// Glass reflects as much along its surface as straight on.
+    FresnelForgotten,
+    /// A ray leaves glass by the same ratio of indices as it enters.
+    IndexNotInverted,
+    /// What is totally reflected inside of glass is lost.
+    TotalReflectionIgnored,
+    /// Glass tints what it reflects as well.
+    TintOfReflection,
+    /// The light of a glaze is added to what is under it, which loses none.
+    GlazeAdds,
+    /// What a mirror shows of the background is black.
+    BackgroundNotReflected,
+    /// Rays are sent on once less than they may be.
+    OneBounceTooFew,
+
     // What the picture shows.
     /// What is not hit is black.
     BackgroundIgnored,

@@ -44,21 +44,32 @@ impl Hit {
     /// a ray for the group that gave this hit: in another one the object's
     /// number is another object's.
     pub fn leaving(&self, direction: DVec3) -> Ray {
-        self.leave(direction, |_| direction)
+        self.leaving_on(self.is_outward(direction), direction)
+    }
+
+    /// The ray that leaves along `direction` on the side of the geometric normal,
+    /// or on the other one; rounding of a direction along the surface decides
+    /// nothing.
+    pub(crate) fn leaving_on(&self, outward: bool, direction: DVec3) -> Ray {
+        self.leave(outward, |_| direction)
     }
 
     /// The ray that leaves this point and reaches `target` at `t = 1`.
     pub fn leaving_to(&self, target: DVec3) -> Ray {
-        self.leave(target - self.point, |origin| target - origin)
+        self.leave(self.is_outward(target - self.point), |origin| target - origin)
     }
 
-    fn leave(&self, towards: DVec3, direction: impl FnOnce(DVec3) -> DVec3) -> Ray {
+    /// Whether it leads to the side of the geometric normal, as one along the
+    /// surface does.
+    fn is_outward(&self, direction: DVec3) -> bool {
+        !(self.geometric_normal.dot(direction) < 0.0)
+    }
+
+    fn leave(&self, outward: bool, direction: impl FnOnce(DVec3) -> DVec3) -> Ray {
         if seeded(Fault::ShadowAcne) {
             return Ray::new(self.point, direction(self.point));
         }
         let n = *self.geometric_normal;
-        // A direction along the surface is outward.
-        let outward = !(n.dot(towards) < 0.0);
         let side = if outward { 1.0 } else { -1.0 };
         let origin = self.point + n * (side * 2.0 * self.point_error);
         let departure = Departure { part: self.part, outward };

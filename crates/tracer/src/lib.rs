@@ -54,6 +54,7 @@ mod shading;
 pub mod shape;
 mod show;
 mod simd;
+mod specular;
 mod transform;
 mod unit;
 

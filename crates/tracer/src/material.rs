@@ -3,7 +3,7 @@
 use crate::fault::{Fault, seeded};
 use crate::math::pow;
 use crate::meter::{Event, Meter, Unmetered};
-use crate::refused::{Refusal, color, length};
+use crate::refused::{Refusal, color, index, length, share};
 use crate::{Convention, Refused, Rgb, Skipping, UnitVec};
 
 /// What a surface is made of.
@@ -27,6 +27,64 @@ pub enum Material {
         /// `p`: the highlight's sharpness, above 0.
         exponent: f64,
     },
+    /// Shows `reflectance` times what the reflected ray sees.
+    Mirror {
+        /// The share of light reflected, in each channel.
+        reflectance: Rgb,
+        /// Whether that is the share straight on, which grows to 1 along the
+        /// surface by Schlick's law.
+        schlick: bool,
+    },
+    /// Shows what the reflected ray sees, by the share of light that Fresnel's
+    /// equations say, and of the rest what the refracted ray sees, by Snell's
+    /// law. The inside is behind the geometric normal. Radiance is not scaled
+    /// by the square of the index.
+    Dielectric {
+        /// The index of refraction of the inside, relative to the outside.
+        ior: f64,
+        /// Multiplies what is refracted, each time.
+        tint: Rgb,
+        /// Whether Schlick's law stands in for Fresnel's equations.
+        schlick: bool,
+    },
+    /// Whitted's sum: `BlinnPhong`, and `reflect` times what the reflected ray
+    /// sees, and `transmit` times what the refracted ray sees. What is totally
+    /// reflected is seen along the reflected ray, `transmit` times too.
+    ///
+    /// Source: Whitted, "An Improved Illumination Model for Shaded Display",
+    /// 1980, equation 3.
+    Whitted {
+        /// `k_d`.
+        diffuse: Rgb,
+        /// The strength of the highlight of lights.
+        specular: Rgb,
+        /// The highlight's sharpness, above 0.
+        exponent: f64,
+        /// `k_s` of the reflected ray.
+        reflect: Rgb,
+        /// `k_t` of the refracted ray.
+        transmit: Rgb,
+        /// The index of refraction of the inside, relative to the outside.
+        ior: f64,
+        /// Whether `reflect` is the share straight on, which grows to 1 along
+        /// the surface by Schlick's law.
+        schlick: bool,
+    },
+    /// `BlinnPhong` under a clear coat, which is on the outside: the coat shows
+    /// what the reflected ray sees, by the share of Fresnel's equations, and
+    /// what is under it the rest.
+    Glazed {
+        /// The index of refraction of the coat, relative to the outside.
+        ior: f64,
+        /// Whether Schlick's law stands in for Fresnel's equations.
+        schlick: bool,
+        /// `k_d` of what is under it.
+        diffuse: Rgb,
+        /// The strength of its highlight.
+        specular: Rgb,
+        /// The highlight's sharpness, above 0.
+        exponent: f64,
+    },
 }
 
 impl Material {
@@ -34,29 +92,50 @@ impl Material {
     ///
     /// # Errors
     /// Refuses (as `color`, `diffuse`, `specular`, `exponent`) colors that are
-    /// not finite or negative and an exponent that is not above 0.
+    /// not finite or negative and an exponent that is not above 0; (as
+    /// `reflectance`, `tint`, `reflect`, `transmit`) shares that are not from 0
+    /// to 1; and (as `ior`) an index that is not from 0.01 to 100.
     pub fn checked(self) -> Result<Self, Refused> {
-        let checks: [Option<Refusal>; 3] = match self {
+        let lit: [Option<Refusal>; 3] = match self {
             Self::Constant(c) => [color("color", c), None, None],
-            Self::Normal => [None, None, None],
+            Self::Normal | Self::Mirror { .. } | Self::Dielectric { .. } => [None, None, None],
             Self::Lambert { diffuse } => [color("diffuse", diffuse), None, None],
-            Self::BlinnPhong { diffuse, specular, exponent } => [
+            Self::BlinnPhong { diffuse, specular, exponent }
+            | Self::Whitted { diffuse, specular, exponent, .. }
+            | Self::Glazed { diffuse, specular, exponent, .. } => [
                 color("diffuse", diffuse),
                 color("specular", specular),
                 length("exponent", exponent),
             ],
         };
-        Refused::unless(checks)?;
+        let sent: [Option<Refusal>; 3] = match self {
+            Self::Mirror { reflectance, .. } => [share("reflectance", reflectance), None, None],
+            Self::Dielectric { ior, tint, .. } => [index("ior", ior), share("tint", tint), None],
+            Self::Whitted { reflect, transmit, ior, .. } => {
+                [share("reflect", reflect), share("transmit", transmit), index("ior", ior)]
+            }
+            Self::Glazed { ior, .. } => [index("ior", ior), None, None],
+            Self::Constant(_) | Self::Normal | Self::Lambert { .. } | Self::BlinnPhong { .. } => {
+                [None, None, None]
+            }
+        };
+        let ([a, b, c], [d, e, f]) = (lit, sent);
+        Refused::unless([a, b, c, d, e, f])?;
         Ok(self)
     }
 
     /// The color that the surface has by itself, before any light: what
-    /// "surface color" shows.
+    /// "surface color" shows. Of a mirror its reflectance, of glass its tint.
     pub fn surface_color(&self, n: UnitVec) -> Rgb {
         match *self {
             Self::Constant(color) => color,
             Self::Normal => normal_color(n),
-            Self::Lambert { diffuse } | Self::BlinnPhong { diffuse, .. } => diffuse,
+            Self::Lambert { diffuse }
+            | Self::BlinnPhong { diffuse, .. }
+            | Self::Whitted { diffuse, .. }
+            | Self::Glazed { diffuse, .. } => diffuse,
+            Self::Mirror { reflectance, .. } => reflectance,
+            Self::Dielectric { tint, .. } => tint,
         }
     }
 
@@ -65,7 +144,20 @@ impl Material {
     pub(crate) fn unlit(&self, n: UnitVec) -> Option<Rgb> {
         match self {
             Self::Constant(_) | Self::Normal => Some(self.surface_color(n)),
-            Self::Lambert { .. } | Self::BlinnPhong { .. } => None,
+            _ => None,
+        }
+    }
+
+    /// Whether what it shows is seen along further rays.
+    pub(crate) fn sends_rays(&self) -> bool {
+        match self {
+            Self::Mirror { .. }
+            | Self::Dielectric { .. }
+            | Self::Whitted { .. }
+            | Self::Glazed { .. } => true,
+            Self::Constant(_) | Self::Normal | Self::Lambert { .. } | Self::BlinnPhong { .. } => {
+                false
+            }
         }
     }
 
@@ -79,7 +171,8 @@ impl Material {
     /// - Blinn-Phong adds `k_s max(n.h, 0)^p` with `h = normalize(l + v)`.
     ///
     /// The radiometric convention divides `k_d` by pi and multiplies the
-    /// highlight by the cosine as well. Zero for unlit materials.
+    /// highlight by the cosine as well. Zero for unlit materials; of those that
+    /// send rays on, what they show of lights.
     pub fn reflect(&self, convention: Convention, n: UnitVec, l: UnitVec, v: UnitVec) -> Rgb {
         self.reflect_metered((convention, Skipping::On), (n, l, v), &Unmetered)
     }
@@ -99,14 +192,20 @@ impl Material {
             Convention::Radiometric => k_d * (1.0 / std::f64::consts::PI) * cosine,
         };
         match *self {
-            Self::Constant(_) | Self::Normal => Rgb::BLACK,
+            Self::Constant(_) | Self::Normal | Self::Mirror { .. } | Self::Dielectric { .. } => {
+                Rgb::BLACK
+            }
             Self::Lambert { diffuse } => lambert(diffuse),
             Self::BlinnPhong { diffuse, .. }
+            | Self::Whitted { diffuse, .. }
+            | Self::Glazed { diffuse, .. }
                 if skipping == Skipping::On && !self.has_highlight() =>
             {
                 lambert(diffuse)
             }
-            Self::BlinnPhong { diffuse, specular, exponent } => {
+            Self::BlinnPhong { diffuse, specular, exponent }
+            | Self::Whitted { diffuse, specular, exponent, .. }
+            | Self::Glazed { diffuse, specular, exponent, .. } => {
                 meter.count(Event::HalfVector);
                 // Light straight through the surface towards the eye has no
                 // half vector, and no highlight.

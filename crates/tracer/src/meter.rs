@@ -95,6 +95,10 @@ events! {
     ShadowRay "shadow_rays",
     /// One that was not needed, as its light would add nothing.
     SkippedShadowRay "shadow_rays_skipped",
+    /// A ray that a surface reflects.
+    ReflectedRay "reflected_rays",
+    /// A ray that a surface lets through.
+    RefractedRay "refracted_rays",
     /// A ray taken into a group's space.
     Group "groups_entered",
     /// A ray held against the boxes of a node of a hierarchy, eight together.
@@ -145,6 +149,8 @@ impl Event {
             | Self::HalfVector
             | Self::ShadowRay
             | Self::SkippedShadowRay
+            | Self::ReflectedRay
+            | Self::RefractedRay
             | Self::Group
             | Self::Node
             | Self::Mesh => None,

@@ -100,6 +100,8 @@ struct Census {
     /// How many objects are lit, and how many with a highlight.
     lit: usize,
     highlights: usize,
+    /// How many send rays on.
+    sending: usize,
 }
 
 impl Census {
@@ -108,7 +110,8 @@ impl Census {
     const WORST: f64 = 1e6;
 
     fn of(scene: &Scene) -> Self {
-        let mut census = Self { seen: Vec::new(), shapes: Vec::new(), lit: 0, highlights: 0 };
+        let mut census =
+            Self { seen: Vec::new(), shapes: Vec::new(), lit: 0, highlights: 0, sending: 0 };
         let camera = scene.camera();
         scene.world().visit(&mut |member, object, boxes, placed| {
             let (shape, material) = (object.shape(), object.material());
@@ -131,6 +134,7 @@ impl Census {
             }
             census.lit += usize::from(material.is_lit());
             census.highlights += usize::from(material.has_highlight());
+            census.sending += usize::from(material.sends_rays());
         });
         census
     }
@@ -177,6 +181,19 @@ impl Census {
         if scene.show() != Show::Shaded {
             return vec!["shading: none, the picture does not show light".to_owned()];
         }
+        let mut notes = self.lit_notes(scene);
+        if self.sending > 0 {
+            let senders = counted(self.sending, ("object", "objects"));
+            let times = counted(scene.bounces() as usize, ("time", "times"));
+            notes.push(format!(
+                "reflected and refracted rays: from {senders}, up to {times} one after the other, \
+                 held against everything; none where it would add nothing"
+            ));
+        }
+        notes
+    }
+
+    fn lit_notes(&self, scene: &Scene) -> Vec<String> {
         if self.lit == 0 {
             return vec!["shading: none, no object is lit".to_owned()];
         }
@@ -212,12 +229,25 @@ fn counted(n: usize, (one, many): (&str, &str)) -> String {
 impl Material {
     /// Whether light changes what it shows.
     fn is_lit(&self) -> bool {
-        matches!(self, Self::Lambert { .. } | Self::BlinnPhong { .. })
+        match self {
+            Self::Lambert { .. }
+            | Self::BlinnPhong { .. }
+            | Self::Whitted { .. }
+            | Self::Glazed { .. } => true,
+            Self::Constant(_) | Self::Normal | Self::Mirror { .. } | Self::Dielectric { .. } => {
+                false
+            }
+        }
     }
 
     /// Whether it has a highlight to compute.
     pub(crate) fn has_highlight(&self) -> bool {
-        matches!(self, Self::BlinnPhong { specular, .. } if *specular != Rgb::BLACK)
+        match self {
+            Self::BlinnPhong { specular, .. }
+            | Self::Whitted { specular, .. }
+            | Self::Glazed { specular, .. } => *specular != Rgb::BLACK,
+            _ => false,
+        }
     }
 }
 

@@ -147,6 +147,29 @@ pub(crate) fn color(field: &'static str, c: crate::Rgb) -> Option<Refusal> {
     )
 }
 
+/// A share of light in each channel, none above 1.
+pub(crate) fn share(field: &'static str, c: crate::Rgb) -> Option<Refusal> {
+    refuse_unless(
+        c.channels().into_iter().all(|x| (0.0..=1.0).contains(&x)),
+        field,
+        "three numbers from 0 to 1",
+        || show(DVec3::from_array(c.channels())),
+    )
+}
+
+/// An index of refraction, relative to what is around.
+pub(crate) fn index(field: &'static str, ior: f64) -> Option<Refusal> {
+    /// Far beyond what there is, and far from where squares lose bits.
+    const INDICES: std::ops::RangeInclusive<f64> = 0.01..=100.0;
+    let (least, most) = (INDICES.start(), INDICES.end());
+    refuse_unless(
+        INDICES.contains(&ior),
+        field,
+        format!("a number from {least} to {most}, such as 1.5"),
+        || number(ior),
+    )
+}
+
 /// The largest absolute component; NaN where any is.
 fn max_abs_of(v: DVec3) -> f64 {
     if v.is_nan() { f64::NAN } else { crate::math::max_abs(v) }

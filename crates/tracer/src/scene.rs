@@ -5,9 +5,10 @@ use crate::meter::{Meter, Unmetered, Work};
 use crate::plan::Candidates;
 use crate::refused::{color, not_negative, refuse_unless};
 use crate::shading::Lighting;
+use crate::specular;
 use crate::{
-    Camera, Convention, Filter, Group, Interval, Light, ObjectId, Ray, Refused, Rgb, Samples, Show,
-    Size, Skipping, UnitVec,
+    Camera, Convention, Filter, Group, Hit, Interval, Light, ObjectId, Ray, Refused, Rgb, Samples,
+    Show, Size, Skipping, UnitVec,
 };
 
 /// The parts of a scene, before they are checked together.
@@ -33,6 +34,9 @@ pub struct SceneParts {
     pub convention: Convention,
     /// Whether lights cast shadows.
     pub shadows: bool,
+    /// How many times an eye ray may be reflected or refracted: what would be
+    /// seen beyond is black.
+    pub bounces: u32,
     /// What a ray that hits nothing sees.
     pub background: Rgb,
     /// Multiplies every pixel of a shaded picture, background included.
@@ -48,7 +52,9 @@ pub(crate) struct Look {
     pub(crate) color: Rgb,
     /// Which object, and its normal there.
     pub(crate) surface: Option<(ObjectId, UnitVec)>,
-    /// For each light, up to 64 of them, whether something is in its way.
+    /// For each light, up to 64 of them, whether something is in its way. Of a
+    /// surface that sends rays on a number that stands for that, and for all
+    /// that they saw.
     pub(crate) shadows: u64,
 }
 
@@ -56,6 +62,11 @@ impl Look {
     /// At the background.
     pub(crate) fn nothing(background: Rgb) -> Self {
         Self { color: background, surface: None, shadows: 0 }
+    }
+
+    /// At a hit that shows this color, whatever the light.
+    fn flat(color: Rgb, hit: &Hit) -> Self {
+        Self { color, surface: Some((hit.object, hit.geometric_normal)), shadows: 0 }
     }
 }
 
@@ -73,6 +84,13 @@ impl Scene {
     /// The smallest and largest `error`.
     pub const ERRORS: std::ops::RangeInclusive<f64> = 1e-6..=1.0;
 
+    /// The largest number of bounces. A ray may become two at each: up to 2^17 in
+    /// all.
+    pub const MAX_BOUNCES: u32 = 16;
+
+    /// The bounces of a scene that does not say.
+    pub const DEFAULT_BOUNCES: u32 = 5;
+
     /// The largest number of samples of a picture: its pixels times samples a
     /// pixel.
     pub const MAX_SAMPLES: u64 = 1 << 32;
@@ -82,7 +100,7 @@ impl Scene {
     /// # Errors
     /// Refuses (as `image`, `samples_per_pixel`) a picture without pixels or with
     /// absurdly many of them or of samples, (as `error`) one that is out of
-    /// range or beside several samples a pixel, (as `background`, `exposure`) numbers that are negative or not finite, and
+    /// range or beside several samples a pixel, (as `bounces`) more than there may be, (as `background`, `exposure`) numbers that are negative or not finite, and
     /// (as `show`) a depth range that is not one.
     pub fn new(parts: SceneParts) -> Result<Self, Refused> {
         let Size { width, height } = parts.size;
@@ -124,6 +142,12 @@ impl Scene {
                     || format!("{error} with {}", parts.samples.words()),
                 )
             }),
+            refuse_unless(
+                parts.bounces <= Self::MAX_BOUNCES,
+                "bounces",
+                format!("a whole number from 0 to {}", Self::MAX_BOUNCES),
+                || parts.bounces.to_string(),
+            ),
             color("background", parts.background),
             not_negative("exposure", parts.exposure),
             refuse_unless(depth_is_a_range, "show", "a depth range with 0 <= near < far", || {
@@ -203,6 +227,17 @@ impl Scene {
         self.0.shadows
     }
 
+    /// How many times an eye ray may be reflected or refracted.
+    pub(crate) fn bounces(&self) -> u32 {
+        self.0.bounces.saturating_sub(u32::from(seeded(Fault::OneBounceTooFew)))
+    }
+
+    /// What shading needs of it.
+    pub(crate) fn lighting(&self) -> Lighting<'_> {
+        let SceneParts { world, lights, convention, shadows, .. } = &self.0;
+        Lighting { world, lights, convention: *convention, shadows: *shadows }
+    }
+
     /// What the picture is of.
     pub(crate) fn show(&self) -> Show {
         self.0.show
@@ -240,21 +275,27 @@ impl Scene {
         range: Interval,
         work: &Work<impl Meter>,
     ) -> Look {
-        let SceneParts { world, lights, convention, shadows, show, .. } = &self.0;
+        let SceneParts { world, show, .. } = &self.0;
         let Some(hit) = world.intersect_among(candidates, ray, range, &work.meter) else {
             return Look::nothing(self.background());
         };
-        let shade = || {
-            let (convention, shadows) = (*convention, *shadows);
-            Lighting { world, lights, convention, shadows }.shade(ray, &hit, work)
-        };
-        let (color, shadows) = match (show.color(ray, &hit), work.skips()) {
-            (Some(color), true) => (color, 0),
+        match (show.color(ray, &hit), work.skips()) {
+            (Some(color), true) => Look::flat(color, &hit),
             (shown, _) => {
-                let shaded = shade();
-                shown.map_or(shaded, |color| (color, 0))
+                let shaded = self.look(ray, &hit, self.bounces(), work);
+                shown.map_or(shaded, |color| Look::flat(color, &hit))
             }
+        }
+    }
+
+    /// What is seen of a hit along `ray`, which may be sent on `left` times more.
+    #[inline]
+    pub(crate) fn look(&self, ray: &Ray, hit: &Hit, left: u32, work: &Work<impl Meter>) -> Look {
+        let (color, shadows) = if hit.material.sends_rays() {
+            specular::shade(self, ray, hit, left, work)
+        } else {
+            self.lighting().shade(ray, hit, work)
         };
-        Look { color, surface: Some((hit.object, hit.geometric_normal)), shadows }
+        Look { shadows, ..Look::flat(color, hit) }
     }
 }

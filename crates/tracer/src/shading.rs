@@ -100,7 +100,7 @@ impl Lighting<'_> {
 
     /// The light of all lights that leaves a lit surface against `ray`, and a
     /// bit for each that something is in the way of.
-    fn radiance(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> (Rgb, u64) {
+    pub(crate) fn radiance(&self, ray: &Ray, hit: &Hit, work: &Work<impl Meter>) -> (Rgb, u64) {
         work.count(Event::ShadedHit);
         let skips = work.skips();
         let n = hit.shading_normal;

@@ -131,6 +131,7 @@ fn numbered(group: Group) -> Group {
         lights: Vec::new(),
         convention: tracer::Convention::Classic,
         shadows: true,
+        bounces: tracer::Scene::DEFAULT_BOUNCES,
         background: tracer::Rgb::BLACK,
         exposure: 1.0,
         show: tracer::Show::Shaded,

@@ -57,43 +57,91 @@ fn seconds(text: &str) -> Result<Duration, String> {
 }
 
 pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
-    let suite = here.suite()?;
-    let interrupt = Interrupt::listen()?;
-    let stop = |time| interrupt.wait(time);
     if let Some(json) = &args.json {
         here.may_write(json)?;
     }
-    let out = match &args.out {
-        Some(out) => {
-            here.may_write(&out.join(RESULTS))?;
-            out.clone()
-        }
-        None => suite.root().join(Suite::CONFORM),
+    let asked = Asked {
+        renderers: &args.renderers,
+        filters: &args.filters,
+        out: args.out.as_deref(),
+        jobs: args.jobs.into(),
+        timeout: args.timeout,
     };
-    let names = Here::fixtures(&suite, &args.filters)?;
-    // Before anything is rendered: a program that is not there is not asked.
-    let renderers = find(&suite, args, &out, &stop)?;
-    let subjects = right_ones(here, &suite, &names)?;
-    let mut all = Vec::new();
-    for renderer in &renderers {
-        let folder = out.join(&renderer.info.id);
-        let plan =
-            Plan { jobs: args.jobs.into(), timeout: args.timeout, folder: &folder, stop: &stop };
-        let Some(conformed) = one(renderer, &subjects, &plan)? else {
-            return Ok(interrupted(&renderer.info.name));
-        };
-        println!("results: {}", folder.join(RESULTS).display());
-        all.push(conformed);
-    }
+    let all = match conformed(here, &asked)? {
+        Ran::All(all) => all,
+        Ran::Interrupted(answer) => return Ok(answer),
+    };
+    report(here, args, &all)?;
+    let outcomes = all.iter().flat_map(|conformed| conformed.run.fixtures.values());
+    let mut outcomes = outcomes.map(|result| result.outcome);
+    let is_fine = outcomes.all(|outcome| matches!(outcome, Outcome::Pass | Outcome::Unsupported));
+    Ok(if is_fine { Answer::Yes } else { Answer::No })
+}
+
+/// What is made of all runs together.
+fn report(here: &Here, args: &Args, all: &[Conformed]) -> Result<(), CannotAsk> {
     if let Some(json) = &args.json {
         let runs: Vec<_> = all.iter().map(|conformed| &conformed.run).collect();
         here.write(json, format!("{}\n", serde_json::to_string_pretty(&runs)?).as_bytes())?;
         println!("wrote {}", json.display());
     }
-    let outcomes = all.iter().flat_map(|conformed| conformed.run.fixtures.values());
-    let mut outcomes = outcomes.map(|result| result.outcome);
-    let is_fine = outcomes.all(|outcome| matches!(outcome, Outcome::Pass | Outcome::Unsupported));
-    Ok(if is_fine { Answer::Yes } else { Answer::No })
+    Ok(())
+}
+
+/// Which renderers are asked for which pictures, and how.
+pub(crate) struct Asked<'a> {
+    /// Names of adapters, or paths.
+    pub(crate) renderers: &'a [String],
+    /// Which fixtures; all if there is none.
+    pub(crate) filters: &'a [String],
+    /// Where results are put; the suite's own place if it is not said.
+    pub(crate) out: Option<&'a Path>,
+    /// How many scenes are rendered at a time.
+    pub(crate) jobs: usize,
+    /// How long a picture may take, in place of what the adapters say.
+    pub(crate) timeout: Option<Duration>,
+}
+
+/// What came of asking renderers.
+pub(crate) enum Ran {
+    /// A run of each, in the order that they were named in.
+    All(Vec<Conformed>),
+    /// Somebody wanted it to end, which was said.
+    Interrupted(Answer),
+}
+
+/// Renders and judges, and prints what is not a pass; Ctrl-C is listened to from here
+/// on.
+///
+/// # Errors
+/// Nothing selected, no such adapter or program, fixtures that goldray does not match
+/// itself, files that cannot be written.
+pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk> {
+    let suite = here.suite()?;
+    let interrupt = Interrupt::listen()?;
+    let stop = |time| interrupt.wait(time);
+    let out = match asked.out {
+        Some(out) => {
+            here.may_write(&out.join(RESULTS))?;
+            out.to_owned()
+        }
+        None => suite.root().join(Suite::CONFORM),
+    };
+    let names = Here::fixtures(&suite, asked.filters)?;
+    // Before anything is rendered: a program that is not there is not asked.
+    let renderers = find(&suite, asked.renderers, &out, &stop)?;
+    let subjects = right_ones(here, &suite, &names)?;
+    let mut all = Vec::new();
+    for renderer in &renderers {
+        let folder = out.join(&renderer.info.id);
+        let plan = Plan { jobs: asked.jobs, timeout: asked.timeout, folder: &folder, stop: &stop };
+        let Some(conformed) = one(renderer, &subjects, &plan)? else {
+            return Ok(Ran::Interrupted(interrupted(&renderer.info.name)));
+        };
+        println!("results: {}", folder.join(RESULTS).display());
+        all.push(conformed);
+    }
+    Ok(Ran::All(all))
 }
 
 /// What a shell calls ended by Ctrl-C.
@@ -106,14 +154,14 @@ fn interrupted(name: &str) -> Answer {
 /// The renderers that were named, each of which is there.
 fn find(
     suite: &Suite,
-    args: &Args,
+    wanted: &[String],
     out: &Path,
     stop: conform::process::Stop<'_>,
 ) -> Result<Vec<Renderer>, CannotAsk> {
     let program = std::env::current_exe()?;
     let path = std::env::var_os("PATH").unwrap_or_default();
     let mut renderers: Vec<Renderer> = Vec::new();
-    for wanted in &args.renderers {
+    for wanted in wanted {
         let found = Renderer::find(suite, wanted, (out, &program, &path), stop);
         let found = found.map_err(|conform::run::CannotAsk(why)| CannotAsk(why))?;
         if renderers.iter().any(|other| other.info.id == found.info.id) {

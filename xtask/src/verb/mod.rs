@@ -11,6 +11,7 @@ pub(crate) mod contact_sheet;
 pub(crate) mod digest;
 pub(crate) mod elsewhere;
 pub(crate) mod grade;
+pub(crate) mod import;
 pub(crate) mod lint;
 pub(crate) mod list;
 pub(crate) mod meshes;

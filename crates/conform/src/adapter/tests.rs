@@ -49,8 +49,8 @@ fn problems_are_told_together_with_their_places() {
         &["a.ron:2:2: ", "a.ron:3:9: ", "a.ron:4:12: "],
     );
     refused(
-        &SMALL.replace("{scene}", "{scn}"),
-        &["a.ron:1:28: nothing is called {scn}; did you mean {scene}?"],
+        &SMALL.replace("{scene}", "{scen}"),
+        &["a.ron:1:28: nothing is called {scen}; did you mean {scene}?"],
     );
     refused(&SMALL.replace("{scene}", "a"), &["a.ron:1:22: expected a word with {scene}"]);
     refused(&SMALL.replace("\"x\", \"{scene}\"", ""), &["expected a program and its arguments"]);

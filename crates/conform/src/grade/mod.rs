@@ -8,6 +8,8 @@
 //! Only a pass counts. What the adapter does not support is not wrong, but gives no
 //! points either.
 
+#[cfg(test)]
+mod document;
 mod json;
 mod markdown;
 mod open;

@@ -15,7 +15,7 @@ const SCENE: &str = r"(
     version: 1, image: (24, 16),
     camera: Parallel(view_point: (0, 0, 9), view_width: 6, view_height: 4),
     background: (0.25, 0.5, 0.125),
-    objects: [Sphere(center: (0.01, 0.02, 0), radius: 1.3, material: Constant(color: (1, 0, 0.5)))],
+    objects: [Sphere(center: (0.01, 0.4, 0), radius: 1.3, material: Constant(color: (1, 0, 0.5)))],
     check: (expect: [CHECK]),
 )";
 
@@ -88,7 +88,7 @@ fn fails(judged: &Judged, expected: &str) {
 
 #[test]
 fn the_very_picture_passes_in_any_encoding() {
-    let held = held("Pixel(at: (0, 0), rgb: (136, 186, 99)), Mirror(TopBottom)");
+    let held = held("Pixel(at: (0, 0), rgb: (136, 186, 99)), Mirror(LeftRight)");
     let held = Held { around: held.around, ..held };
     let exact = Allowance { tolerance: 0.0, edges: 0.0 };
     let levels = Levels::of(&held.floats(|_, _, c| c), plain()).unwrap();

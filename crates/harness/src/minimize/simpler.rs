@@ -1,6 +1,7 @@
 //! A smaller picture of a scene, and one made with less of what the format has.
 
 use scene::format::{Encoding, Filter, Sampler, Shading};
+use tracer::Scene;
 
 use super::Search;
 use crate::check::File;
@@ -41,13 +42,14 @@ fn half(search: &mut Search<'_>) -> bool {
 
 /// Puts what can be to its default.
 pub(super) fn settings(search: &mut Search<'_>) {
-    let changes: [fn(&mut File); 8] = [
+    let changes: [fn(&mut File); 9] = [
         |file| (file.samples_per_pixel, file.sampler) = (1, Sampler::default()),
         |file| file.error = None,
         |file| file.filter = Filter::default(),
         |file| file.background = [0.0; 3],
         |file| file.exposure = 1.0,
         |file| file.shadows = false,
+        |file| file.bounces = Scene::DEFAULT_BOUNCES,
         |file| file.shading = Shading::default(),
         |file| file.encoding = Encoding::default(),
     ];

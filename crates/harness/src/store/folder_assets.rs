@@ -12,13 +12,22 @@ use crate::lfs::pointer_problem;
 #[derive(Debug, Clone)]
 pub struct FolderAssets {
     folder: PathBuf,
+    /// What must not be left.
+    home: PathBuf,
 }
 
 impl FolderAssets {
     /// The assets beside the scene file at `scene`.
     pub fn beside(scene: &Path) -> Self {
         let folder = scene.parent().filter(|folder| !folder.as_os_str().is_empty());
-        Self { folder: folder.unwrap_or(Path::new(".")).to_owned() }
+        let folder = folder.unwrap_or(Path::new(".")).to_owned();
+        Self { home: folder.clone(), folder }
+    }
+
+    /// The assets of the foreign scene file at `scene`: paths are relative to its
+    /// folder, and may lead out of that as long as they stay in `home`.
+    pub fn within(scene: &Path, home: &Path) -> Self {
+        Self { home: home.to_owned(), ..Self::beside(scene) }
     }
 }
 
@@ -27,9 +36,15 @@ impl Assets for FolderAssets {
         let missing = || "does not exist beside the scene".to_owned();
         let full = self.folder.join(path);
         let really = real_path(&full).map_err(|_| missing())?;
-        let home = real_path(&self.folder).map_err(|_| missing())?;
+        let home = real_path(&self.home).map_err(|_| missing())?;
         if !really.starts_with(home) {
-            return Err("is a link that leaves the scene's folder".to_owned());
+            // Of what may be named, only an import has a path that leads out itself.
+            let what = if path.split('/').any(|part| part == "..") {
+                "leads out of the scene's folder"
+            } else {
+                "is a link that leaves the scene's folder"
+            };
+            return Err(what.to_owned());
         }
         let bytes = match read(&really, MAX_ASSET_BYTES) {
             Ok(bytes) => bytes.ok_or_else(missing)?,

@@ -109,6 +109,10 @@ impl fmt::Display for NotWritten {
     }
 }
 
+/// What no dialect but goldray's own is given words for.
+const UNSAID: [Feature; 5] =
+    [Feature::Mirror, Feature::Dielectric, Feature::Whitted, Feature::Glazed, Feature::Schlick];
+
 /// Writes a scene that was read without problems; `assets` gives the files that
 /// it names.
 ///
@@ -119,6 +123,13 @@ pub fn export(
     scene: &SceneFile<Unchecked>,
     assets: &dyn Assets,
 ) -> Result<Exported, NotWritten> {
+    let is_ours = matches!(dialect, Dialect::Ron | Dialect::Json);
+    let asked = crate::feature::features(scene);
+    let unsaid: BTreeSet<_> =
+        UNSAID.into_iter().filter(|feature| asked.contains(feature)).collect();
+    if !is_ours && !unsaid.is_empty() {
+        return Err(NotWritten::Cannot(unsaid));
+    }
     let plain = || Plain::new(scene, assets).map_err(NotWritten::Bad);
     match dialect {
         Dialect::PovRay => povray::write(&plain()?).map_err(NotWritten::Cannot),

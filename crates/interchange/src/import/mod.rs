@@ -22,6 +22,8 @@ mod wish;
 
 use scene::{Assets, SceneFile, Unchecked};
 
+pub use scene::format::{Camera, Shading};
+
 /// A foreign file.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
@@ -70,11 +72,12 @@ pub struct Unreadable {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Wishes {
     /// The camera, in place of the file's own.
-    pub camera: Option<scene::format::Camera>,
+    pub camera: Option<Camera>,
     /// The picture's size, in place of the file's own.
     pub image: Option<(u32, u32)>,
-    /// The shading convention, in place of a guess: the course's files do not say theirs.
-    pub shading: Option<scene::format::Shading>,
+    /// The shading convention, in place of a guess or of the classic one: the
+    /// course's files do not say theirs.
+    pub shading: Option<Shading>,
 }
 
 /// Reads a foreign scene. Files that it names are asked of `assets`, relative to
@@ -112,9 +115,9 @@ type Reader = fn(Source<'_>, &Wishes, &dyn Assets) -> Result<Imported, Vec<Unrea
 const READERS: &[(&str, Reader)] = &[
     ("xml", cornell::read),
     ("nff", nff::read),
+    ("glb", gltf::read),
+    ("gltf", gltf::read),
     ("obj", obj::read),
     ("ply", ply::read),
     ("stl", stl::read),
-    ("gltf", gltf::read),
-    ("glb", gltf::read),
 ];

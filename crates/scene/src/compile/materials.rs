@@ -105,6 +105,38 @@ fn in_place(
             specular: Rgb::from(specular),
             exponent,
         },
+        format::Material::Mirror { reflectance, schlick } => {
+            Material::Mirror { reflectance: Rgb::from(reflectance), schlick }
+        }
+        format::Material::Dielectric { ior, tint, schlick } => {
+            Material::Dielectric { ior, tint: Rgb::from(tint), schlick }
+        }
+        format::Material::Whitted {
+            diffuse,
+            specular,
+            exponent,
+            reflect,
+            transmit,
+            ior,
+            schlick,
+        } => Material::Whitted {
+            diffuse: diffuse_or_default(diffuse),
+            specular: Rgb::from(specular),
+            exponent,
+            reflect: Rgb::from(reflect),
+            transmit: Rgb::from(transmit),
+            ior,
+            schlick,
+        },
+        format::Material::Glazed { ior, schlick, diffuse, specular, exponent } => {
+            Material::Glazed {
+                ior,
+                schlick,
+                diffuse: diffuse_or_default(diffuse),
+                specular: Rgb::from(specular),
+                exponent,
+            }
+        }
     };
     findings.accept(path, material.checked())
 }

@@ -122,6 +122,7 @@ pub(crate) fn compile<C>(
         lights,
         convention,
         shadows: file.shadows,
+        bounces: file.bounces,
         background: Rgb::from(file.background),
         exposure: file.exposure,
         show: show(file.show),

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Triple;
+use super::{Triple, is_default, is_one, one};
 
 /// What a surface is made of; see [`tracer::Material`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -33,4 +33,72 @@ pub enum Material {
         /// Sharpness of the highlight.
         exponent: f64,
     },
+    /// A mirror.
+    Mirror {
+        /// Share of light reflected; all of it if not said.
+        #[serde(default = "white", skip_serializing_if = "is_white")]
+        reflectance: Triple,
+        /// Whether it grows along the surface by Schlick's law.
+        #[serde(default, skip_serializing_if = "is_default")]
+        schlick: bool,
+    },
+    /// Clear glass, water, air in them.
+    Dielectric {
+        /// Index of refraction of the inside, relative to the outside.
+        ior: f64,
+        /// Share of refracted light that goes through, at each surface.
+        #[serde(default = "white", skip_serializing_if = "is_white")]
+        tint: Triple,
+        /// Whether Schlick's law stands in for Fresnel's equations.
+        #[serde(default, skip_serializing_if = "is_default")]
+        schlick: bool,
+    },
+    /// Lit, reflecting and transparent by fixed shares.
+    Whitted {
+        /// Share of light scattered; the shading's default if not said.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        diffuse: Option<Triple>,
+        /// Strength of the highlight; none if not said.
+        #[serde(default, skip_serializing_if = "is_default")]
+        specular: Triple,
+        /// Sharpness of the highlight.
+        #[serde(default = "one", skip_serializing_if = "is_one")]
+        exponent: f64,
+        /// Share of what the reflected ray sees; none if not said.
+        #[serde(default, skip_serializing_if = "is_default")]
+        reflect: Triple,
+        /// Share of what the refracted ray sees; none if not said.
+        #[serde(default, skip_serializing_if = "is_default")]
+        transmit: Triple,
+        /// Index of refraction of the inside, relative to the outside.
+        #[serde(default = "one", skip_serializing_if = "is_one")]
+        ior: f64,
+        /// Whether `reflect` grows along the surface by Schlick's law.
+        #[serde(default, skip_serializing_if = "is_default")]
+        schlick: bool,
+    },
+    /// Uniform scattering with a highlight, under a clear coat.
+    Glazed {
+        /// Index of refraction of the coat, relative to the outside.
+        ior: f64,
+        /// Whether Schlick's law stands in for Fresnel's equations.
+        #[serde(default, skip_serializing_if = "is_default")]
+        schlick: bool,
+        /// Share of light scattered; the shading's default if not said.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        diffuse: Option<Triple>,
+        /// Strength of the highlight; none if not said.
+        #[serde(default, skip_serializing_if = "is_default")]
+        specular: Triple,
+        /// Sharpness of the highlight.
+        #[serde(default = "one", skip_serializing_if = "is_one")]
+        exponent: f64,
+    },
+}
+
+fn white() -> Triple {
+    [1.0; 3]
+}
+fn is_white(x: &Triple) -> bool {
+    *x == white()
 }

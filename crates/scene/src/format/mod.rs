@@ -68,6 +68,9 @@ pub struct SceneFile<Check = Unchecked> {
     /// Whether lights cast shadows.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub shadows: bool,
+    /// How many times an eye ray may be reflected or refracted.
+    #[serde(default = "default_bounces", skip_serializing_if = "are_default_bounces")]
+    pub bounces: u32,
     /// The color of what is not hit; black if not said.
     #[serde(default, skip_serializing_if = "is_default")]
     pub background: Triple,
@@ -110,6 +113,7 @@ impl<Check> SceneFile<Check> {
             materials,
             shading,
             shadows,
+            bounces,
             background,
             exposure,
             show,
@@ -129,6 +133,7 @@ impl<Check> SceneFile<Check> {
             materials,
             shading,
             shadows,
+            bounces,
             background,
             exposure,
             show,
@@ -205,6 +210,10 @@ fn is_one(x: &f64) -> bool {
 fn is_one_sample(x: &u32) -> bool {
     *x == 1
 }
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn are_default_bounces(x: &u32) -> bool {
+    *x == default_bounces()
+}
 pub(crate) fn is_default<T: Default + PartialEq>(x: &T) -> bool {
     *x == T::default()
 }
@@ -216,6 +225,9 @@ fn one() -> f64 {
 }
 fn one_sample() -> u32 {
     1
+}
+fn default_bounces() -> u32 {
+    tracer::Scene::DEFAULT_BOUNCES
 }
 fn none<T>() -> Option<T> {
     None

@@ -30,6 +30,7 @@ fn scene(members: Vec<Member>, lights: Vec<Light>, show: Show) -> Scene {
         lights,
         convention: Convention::Classic,
         shadows: true,
+        bounces: Scene::DEFAULT_BOUNCES,
         background: Rgb::new(0.1, 0.2, 0.3),
         exposure: 1.7,
         show,
@@ -152,4 +153,39 @@ fn the_notes_say_what_is_done() {
     ] {
         assert!(lit.contains(part), "{lit}");
     }
+}
+
+#[test]
+fn mirrors_and_glass_are_skipped_by_halves_and_change_no_bit() {
+    let shiny = |x: f64, material: Material| {
+        let ball = Sphere::new(dvec3(x, 0.0, 0.0), 0.9).unwrap();
+        Member::Object(Object::new(ball.into(), material.checked().unwrap()))
+    };
+    let whitted = |reflect, transmit| Material::Whitted {
+        diffuse: Rgb::new(0.2, 0.1, 0.3),
+        specular: Rgb::WHITE,
+        exponent: 20.0,
+        reflect,
+        transmit,
+        ior: 1.3,
+        schlick: false,
+    };
+    let half = Rgb::new(0.5, 0.25, 0.0);
+    let floor = Plane::new(dvec3(0.0, -1.0, 0.0), DVec3::Y).unwrap();
+    let members = vec![
+        Member::Object(Object::new(floor.into(), GRAY)),
+        shiny(-2.0, Material::Dielectric { ior: 1.5, tint: half, schlick: false }),
+        shiny(0.0, whitted(half, Rgb::BLACK)),
+        shiny(2.0, whitted(Rgb::BLACK, half)),
+    ];
+    let scene = scene(members, vec![lamp(Rgb::WHITE)], Show::Shaded);
+    let (with, some) = by(&scene, Skipping::On);
+    let (without, all) = by(&scene, Skipping::Off);
+    assert!(with == without && with == render(&scene));
+    for event in [Event::ReflectedRay, Event::RefractedRay] {
+        assert!(0 < some.get(event) && 2 * some.get(event) < all.get(event), "{some:?} {all:?}");
+    }
+    let notes = Plan::new(&scene, Skipping::On).notes().join("\n");
+    assert!(notes.contains("from 3 objects, up to 5 times one after the other"), "{notes}");
+    assert!(notes.contains("on 2 objects with a highlight"), "{notes}");
 }

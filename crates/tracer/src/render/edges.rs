@@ -91,7 +91,7 @@ fn pixel(scene: &Scene, at: (u32, u32), reach: f64) -> Option<Around> {
         let [a, b] = spot(scene, at, k).window;
         let here = look(scene, [a, b]);
         let there = WAYS.map(|[x, y]| look(scene, [a + x * step[0], b + y * step[1]]));
-        is_edge |= there.as_chunks::<2>().0.iter().any(|pair| is_between_two(&here, pair));
+        is_edge |= there.as_chunks::<2>().0.iter().any(|pair| is_between_two(&here, pair, reach));
         for color in there.iter().map(|seen| seen.color).chain([here.color]) {
             let color = color * scene.exposure();
             around = Some(around.map_or(Around::of(color), |around| around.with(color)));
@@ -113,11 +113,13 @@ fn look(scene: &Scene, [a, b]: [f64; 2]) -> Seen {
 }
 
 /// Whether something changes from one side of `here` to the other.
-fn is_between_two(here: &Seen, sides: &[Seen; 2]) -> bool {
-    /// How far the middle normal may be from the mean of those beside it, twice.
-    /// On what is smooth it is off by the square of what it turns by in a
-    /// hundredth of a pixel; at a crease by the whole turn.
+fn is_between_two(here: &Seen, sides: &[Seen; 2], reach: f64) -> bool {
+    /// How far the middle normal may be from the mean of those beside it, twice, at
+    /// the shortest reach. At a crease it is off by the whole turn.
     const JUMP: f64 = 1e-3;
+    // On what is smooth it is off by the square of what it turns by: of a ball of a
+    // pixel's radius, by the square of the reach.
+    let jump = JUMP + reach * reach;
     let is_alike = |side: &Seen| {
         side.mark == here.mark
             && side.surface.map(|(object, _)| object) == here.surface.map(|(object, _)| object)
@@ -127,7 +129,7 @@ fn is_between_two(here: &Seen, sides: &[Seen; 2]) -> bool {
     }
     let normal = |seen: &Seen| seen.surface.map_or(DVec3::ZERO, |(_, normal)| normal);
     let bend = normal(&sides[0]) + normal(&sides[1]) - 2.0 * normal(here);
-    bend.length() > JUMP
+    bend.length() > jump
 }
 
 /// Edges of a picture whose pixels get light from others so far away.

@@ -117,7 +117,7 @@ fn nothing_ends_its_element_early() {
     for text in odd {
         let mut data_elements = String::new();
         put(&mut data_elements, "x", &json!({ text: text }));
-        let page = fill("t", &data_elements);
+        let page = fill(PAGE, "t", STYLES, &data_elements, SCRIPTS);
         assert_eq!(data(&page, "x"), json!({ text: text }));
         assert!(page.contains("use strict"), "the script is in its place");
     }

@@ -41,10 +41,16 @@ impl Look {
                 let highlight = (*specular != [0.0; 3]).then_some((*specular, *exponent));
                 Self::Lit { diffuse: filled(diffuse), highlight }
             }
-            // A name that leads nowhere is a problem that was told before.
-            None | Some(Material::Named(_)) => {
-                Self::Lit { diffuse: filled(&None), highlight: None }
-            }
+            // A name that leads nowhere is a problem that was told before, and what sends
+            // rays on is no writer's: see `UNSAID`.
+            None
+            | Some(
+                Material::Named(_)
+                | Material::Mirror { .. }
+                | Material::Dielectric { .. }
+                | Material::Whitted { .. }
+                | Material::Glazed { .. },
+            ) => Self::Lit { diffuse: filled(&None), highlight: None },
         }
     }
 

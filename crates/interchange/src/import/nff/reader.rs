@@ -79,6 +79,10 @@ impl<'a> Reader<'a> {
         }
         file.background = self.background.unwrap_or_default();
         file.lights = self.lights();
+        if let Some(shading) = wishes.shading {
+            file.shading = shading;
+            self.report.chose(format!("{shading:?} shading, as was asked"));
+        }
         let mut files = Files::default();
         let polygons = self.polygons.objects(&mut files);
         file.objects = self.objects;

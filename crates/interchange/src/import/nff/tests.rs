@@ -1,5 +1,7 @@
 //! NFF files, ugly ones first.
 
+use std::fmt::Write as _;
+
 use scene::NoAssets;
 use scene::format::{Camera, Light, Material, Object};
 
@@ -204,7 +206,8 @@ fn equal_fills_are_one_material() {
 fn many_polygons_become_a_mesh_and_patches_always_do() {
     let mut fan = String::new();
     for i in 0..40 {
-        fan += &format!("p 3\n0 0 0\n1 {} 0.1\n0.30000000000000004 1e-7 {i}.5\n", i + 1);
+        let next = i + 1;
+        write!(fan, "p 3\n0 0 0\n1 {next} 0.1\n0.30000000000000004 1e-7 {i}.5\n").unwrap();
     }
     let imported = loses(&format!("f 1 1 1 1 0 0 0 1\n{fan}"), &[]);
     let file = "my-f1-polygons.obj".to_owned();

@@ -36,6 +36,7 @@ fn parts(members: Vec<Member>, lights: Vec<Light>) -> SceneParts {
         lights,
         convention: Convention::Classic,
         shadows: true,
+        bounces: 2,
         background: Rgb::BLACK,
         exposure: 2.0,
         show: Show::Shaded,

@@ -1,5 +1,7 @@
 //! Files that are no scene: each is told with its place, and none takes long.
 
+use std::fmt::Write as _;
+
 use super::super::surface::MOST_GROUPS;
 use super::{BALL, read, refuses, with};
 
@@ -27,7 +29,7 @@ fn entities_do_not_grow() {
     let mut bomb = "<!DOCTYPE scene [<!ENTITY a0 \"1 1 1\">".to_owned();
     for i in 1..40 {
         let before = format!("&a{};", i - 1).repeat(10);
-        bomb += &format!("<!ENTITY a{i} \"{before}\">");
+        write!(bomb, "<!ENTITY a{i} \"{before}\">").unwrap();
     }
     bomb += "]><scene><image>&a39;</image></scene>";
     refuses(&bomb, &["1:1: expected no document type declaration"]);
