@@ -12,6 +12,7 @@
 //! `Err`. Files are opened by the store of the harness; nothing is printed.
 
 pub mod adapter;
+mod asks;
 pub mod card;
 pub mod consensus;
 pub mod grade;
@@ -26,5 +27,6 @@ pub mod run;
 pub mod trial;
 mod xml;
 
+pub use asks::asks;
 pub use objects::{Objects, Seen, objects_of};
 pub use result::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use conform::card;
 use conform::run::{Plan, RESULTS, Renderer, Subject, Told, run, subjects};
 use conform::{Conformed, Outcome, objects_of};
+use harness::called::command;
 use harness::suite::Suite;
 
 use crate::interrupt::Interrupt;
@@ -75,6 +76,15 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     report(here, args, &all)?;
     let outcomes = all.iter().flat_map(|conformed| conformed.run.fixtures.values());
     let mut outcomes = outcomes.map(|result| result.outcome);
+    let asked_nothing = |conformed: &&Conformed| {
+        conformed.run.fixtures.values().all(|result| result.outcome == Outcome::Unsupported)
+    };
+    if let Some(nothing) = all.iter().find(asked_nothing) {
+        // Of what was not asked nothing is known, which is no success.
+        let name = &nothing.run.renderer.name;
+        println!("{name}: nothing was rendered, as all of it is called unsupported");
+        return Ok(Answer::No);
+    }
     let is_fine = outcomes.all(|outcome| matches!(outcome, Outcome::Pass | Outcome::Unsupported));
     Ok(if is_fine { Answer::Yes } else { Answer::No })
 }
@@ -196,10 +206,10 @@ fn right_ones(here: &Here, suite: &Suite, names: &[String]) -> Result<Vec<Subjec
             0 => String::new(),
             more => format!("  and {more} more\n"),
         };
-        let flag = here.reader(suite).root_flag;
+        let (called, flag) = (command(), here.reader(suite).root_flag);
         CannotAsk(format!(
             "nobody is judged by fixtures that goldray does not match itself, and {} of {} are no \
-             match:\n{lines}{more}cargo xtask{flag} check says more; a FILTER leaves them out",
+             match:\n{lines}{more}{called}{flag} check says more; without them others can be asked for",
             wrong.len(),
             names.len()
         ))
@@ -276,6 +286,9 @@ fn summary(conformed: &Conformed) -> String {
         worst = worst.max(numbers.worst_interior);
         off += numbers.edge_off;
         edges += numbers.edge_pixels;
+    }
+    if edges + off == 0 && results.clone().all(|result| result.numbers.is_none()) {
+        return counts.join(", ");
     }
     let pictures = format!("worst interior error {worst:.2e}, {off} of {edges} edge pixels differ");
     format!("{}; {pictures}", counts.join(", "))

@@ -16,6 +16,11 @@ pub struct Builtin {
 /// All of them.
 pub const BUILTIN: &[Builtin] = &[
     Builtin {
+        name: "embree",
+        text: include_str!("../../../../adapters/embree/adapter.ron"),
+        programs: &[("render.py", include_bytes!("../../../../adapters/embree/render.py"))],
+    },
+    Builtin {
         name: "goldray",
         text: include_str!("../../../../adapters/goldray/adapter.ron"),
         programs: &[],
@@ -23,7 +28,7 @@ pub const BUILTIN: &[Builtin] = &[
     Builtin {
         name: "mitsuba",
         text: include_str!("../../../../adapters/mitsuba/adapter.ron"),
-        programs: &[],
+        programs: &[("render.py", include_bytes!("../../../../adapters/mitsuba/render.py"))],
     },
     Builtin {
         name: "povray",

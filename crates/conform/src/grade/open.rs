@@ -3,15 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use harness::check::Check;
 use harness::fixture::{Build, Fixture};
 use harness::store;
 use harness::suite::Suite;
 use interchange::Feature;
-use interchange::feature::features;
 
 use super::Plan;
 use super::plan::MAX_BYTES;
+use crate::asks;
 
 impl Plan {
     /// The plan of the rubric in the file at `path` for these fixtures of a suite.
@@ -28,20 +27,18 @@ impl Plan {
             let at = error.utf8_error().valid_up_to();
             format!("{label}: expected UTF-8 text, found another byte at offset {at}")
         })?;
-        let fixtures = names.iter().map(|name| Ok((name.clone(), asks(suite, name)?)));
+        let fixtures = names.iter().map(|name| Ok((name.clone(), asked(suite, name)?)));
         let fixtures: BTreeMap<_, _> = fixtures.collect::<Result<_, String>>()?;
         Self::read(&text, &fixtures)
             .map_err(|problems| scene::report(&label.to_string(), &text, &problems))
     }
 }
 
-/// What a fixture's scene asks for.
-fn asks(suite: &Suite, name: &str) -> Result<BTreeSet<Feature>, String> {
+/// What a fixture's picture asks for.
+fn asked(suite: &Suite, name: &str) -> Result<BTreeSet<Feature>, String> {
     let label = Suite::fixture_label(name);
-    // Opened whole, so that one that is none is told with all its problems.
     let fixture = Fixture::open(&label, &suite.fixture_path(name), Build::default())?;
-    let file = scene::parse::<Check>(&fixture.text);
-    Ok(file.as_ref().map(features).unwrap_or_default())
+    Ok(asks(&fixture, &fixture.render_linear()))
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use harness::called::command;
 use harness::filter::{FilterError, select};
 use interchange::Feature;
 use scene::{Problem, Span, Step};
@@ -194,7 +195,7 @@ impl Judge<'_> {
         let names: BTreeSet<_> = self.fixtures.keys().cloned().collect();
         let mut selected = BTreeSet::new();
         for (number, filter) in filters.iter().enumerate() {
-            match select(&names, &[filter], "cargo xtask list") {
+            match select(&names, &[filter], &format!("{} list", command())) {
                 Ok(found) => selected.extend(found),
                 Err(why) => {
                     let path = [list.into(), i.into(), "fixtures".into(), number.into()];

@@ -9,8 +9,9 @@ use harness::run::{find_golden, render_fixture};
 use harness::suite::Suite;
 use harness::verdict::Verdict;
 use interchange::Feature;
-use interchange::feature::features;
 use rayon::prelude::*;
+
+use crate::asks;
 
 /// A fixture with goldray's picture of it, which is its golden.
 #[derive(Debug)]
@@ -72,6 +73,6 @@ fn subject(suite: &Suite, name: &str) -> Result<Subject, NotItself> {
         let why = format!("{}: {}", judgment.verdict.words(), judgment.findings.join("; "));
         return Err(refused(why));
     }
-    let features = features(&fixture.scene_file());
+    let features = asks(&fixture, &rendered.linear);
     Ok(Subject { name: name.to_owned(), fixture, rendered, features })
 }

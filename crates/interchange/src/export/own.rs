@@ -1,8 +1,8 @@
 //! A scene in goldray's own format: as RON, and as JSON of the same structure.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use scene::format::Object;
 use scene::{Assets, SceneFile};
 use tracer::accel::Build;
 
@@ -34,27 +34,24 @@ fn with_files(
     assets: &dyn Assets,
     write: &dyn Fn(&SceneFile) -> Result<String, String>,
 ) -> Result<Exported, String> {
-    scene::recompile(scene, assets, Build::Bvh).map_err(|problems| problems.join("; "))?;
-    let mut files = BTreeMap::new();
-    named_files(&scene.objects, assets, &mut files)?;
+    // What it takes to make the scene is what its files name: meshes, textures.
+    let assets = Keeping { inner: assets, kept: RefCell::default() };
+    scene::recompile(scene, &assets, Build::Bvh).map_err(|problems| problems.join("; "))?;
+    let mut files = assets.kept.into_inner();
     files.insert(main.to_owned(), write(scene)?.into_bytes());
     Ok(Exported { main: main.to_owned(), files, grid: 1, beside: BTreeSet::new() })
 }
 
-fn named_files(
-    objects: &[Object],
-    assets: &dyn Assets,
-    files: &mut BTreeMap<String, Vec<u8>>,
-) -> Result<(), String> {
-    for object in objects {
-        match object {
-            Object::Group { objects, .. } => named_files(objects, assets, files)?,
-            Object::Mesh { file, .. } if !files.contains_key(file) => {
-                let bytes = assets.read(file).map_err(|why| format!("mesh \"{file}\" {why}"))?;
-                files.insert(file.clone(), bytes);
-            }
-            _ => {}
-        }
+/// Gives files, and keeps what it gave.
+struct Keeping<'a> {
+    inner: &'a dyn Assets,
+    kept: RefCell<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Assets for Keeping<'_> {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let bytes = self.inner.read(path)?;
+        self.kept.borrow_mut().insert(path.to_owned(), bytes.clone());
+        Ok(bytes)
     }
-    Ok(())
 }

@@ -40,8 +40,8 @@ impl Around {
 /// `None` for the others.
 ///
 /// A pixel is an edge if one of its samples, moved by `reach` pixels in one of
-/// eight directions, sees another object, a normal that jumps, or another light
-/// in shadow. Of a filter, the samples of all pixels in its reach count. Samples
+/// eight directions, sees another object, a normal that jumps, another part of a
+/// texture, another light in shadow, or any of these in a mirror or through glass. Of a filter, the samples of all pixels in its reach count. Samples
 /// that are added where they are needed are anywhere in the pixel: it is
 /// looked at from its middle, a whole pixel around.
 pub fn edges(scene: &Scene, reach: f64) -> Vec<Option<Around>> {
@@ -62,8 +62,9 @@ struct Seen {
     /// Which object, and the normal that it is shaded by.
     surface: Option<(ObjectId, DVec3)>,
     /// What else tells one part of a picture from another that lies on the same
-    /// surface: the lights in shadow.
-    mark: u64,
+    /// surface: the part of its texture, and the lights in shadow, or all that is seen
+    /// in a mirror or through glass.
+    mark: (u32, u64),
 }
 
 /// The eight ways that a sample is moved, each beside its opposite.
@@ -106,10 +107,14 @@ fn look(scene: &Scene, [a, b]: [f64; 2]) -> Seen {
     let range = Interval::AHEAD;
     let hit = scene.world().intersect_among(Candidates::All, &ray, range, &work.meter);
     let Some(hit) = hit else {
-        return Seen { color: scene.background(), surface: None, mark: 0 };
+        return Seen { color: scene.background(), surface: None, mark: (0, 0) };
     };
     let look = scene.trace_among(Candidates::All, &ray, range, &work);
-    Seen { color: look.color, surface: Some((hit.object, *hit.shading_normal)), mark: look.shadows }
+    Seen {
+        color: look.color,
+        surface: Some((hit.object, *hit.shading_normal)),
+        mark: (look.texel, look.shadows),
+    }
 }
 
 /// Whether something changes from one side of `here` to the other.

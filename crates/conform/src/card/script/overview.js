@@ -5,7 +5,7 @@ const HOME = "Scorecard";
 
 function overviewPage() {
   if (renderers.length === 0 || fixtures.length === 0) {
-    return [element("h1", {}, "No renderer was asked for a picture"), element("p", { class: "soft" }, "A card is made of runs: cargo xtask conform --renderer ADAPTER")];
+    return [element("h1", {}, "No renderer was asked for a picture"), element("p", { class: "soft" }, "A card is made of runs, by the verb conform.")];
   }
   const one = renderers.length === 1 ? renderers[0] : null;
   const title = one

@@ -11,7 +11,13 @@ const ALL: &str = r#"
         Sphere(center: (0, 0, 0), radius: 1, material: Named("a b")),
         Triangle(a: (0, 0, 0), b: (1, 0, 0), c: (0, 1, 0)),
         Box(min: (0, 0, 0), max: (1, 1, 1), material: Constant(color: (1, 0, 0))),
-        Plane(point: (0, -1, 0), normal: (0, 1, 0)),
+        Plane(point: (0, -1, 0), normal: (0, 1, 0), material: Constant(color: (1, 1, 1),
+            texture: Checker(a: (1, 0, 0), b: (0, 0, 1), scale: (2, 3), offset: (0.5, 0)))),
+        Box(min: (0, 0, 0), max: (1, 1, 1), material: Mirror(reflectance: (0.5, 1, 1), schlick: true)),
+        Box(min: (0, 0, 0), max: (1, 1, 1), material: Dielectric(ior: 1.5, tint: (0.5, 1, 1))),
+        Box(min: (0, 0, 0), max: (1, 1, 1), material: Whitted(specular: (1, 1, 1), exponent: 3,
+            reflect: (0.1, 0.2, 0.3), transmit: (0.5, 0.5, 0.5), ior: 1.2)),
+        Box(min: (0, 0, 0), max: (1, 1, 1), material: Glazed(ior: 1.5, diffuse: (1, 0, 0))),
         Disk(center: (0, 0, 0), normal: (0, 1, 0), radius: 1),
         Torus(center: (0, 0, 0), axis: (0, 1, 0), major_radius: 2, minor_radius: 1),
         Cylinder(a: (0, 0, 0), b: (0, 1, 0), radius: 1, open: true),
@@ -29,7 +35,7 @@ const ALL: &str = r#"
         Directional(direction: (0, 1, 0)),
         Ambient(intensity: (0.1, 0.1, 0.1)),
     ],
-    shading: Attenuated, shadows: false, background: (0, 0, 1), exposure: 0.1,
+    shading: Attenuated, shadows: false, bounces: 3, background: (0, 0, 1), exposure: 0.1,
     sampler: Sobol(seed: 3), samples_per_pixel: 5, filter: Gaussian(radius: 2),
     show: Depth(near: 1, far: 2), encoding: Srgb"#;
 
