@@ -42,9 +42,9 @@ fn a_wrong_rubric_is_told_by_its_place() {
     refused(
         "[\"square\"]",
         "[\"sqare/a\"]",
-        "rubric.ron:5:55: the filter \"sqare/a\" selects nothing; did you mean \"square/a\"?",
+        "rubric.ron:5:50: the filter \"sqare/a\" selects nothing; did you mean \"square/a\"?",
     );
-    refused("[Box]", "[Bax]", "rubric.ron:6:50: ");
+    refused("[Box]", "[Bax]", "rubric.ron:6:49: ");
     refused("points: 10", "pionts: 10", "did you mean `points`?");
     refused(
         "2.5",

@@ -17,14 +17,18 @@ pub struct Stamps(BTreeMap<PathBuf, Stamp>);
 impl Stamps {
     /// What a renderer is built from, relative to goldray's repository: files,
     /// and folders in which everything but tests counts.
-    pub const SOURCES: [&str; 8] = [
+    pub const SOURCES: [&str; 11] = [
         "Cargo.toml",
         "Cargo.lock",
         "rust-toolchain.toml",
         ".cargo",
         "crates/tracer",
         "crates/scene",
+        "crates/interchange",
         "crates/harness",
+        "crates/conform",
+        // Those that are built in.
+        "adapters",
         "xtask",
     ];
 

@@ -83,7 +83,7 @@ fn atan2(y: &Fixed, x: &Fixed) -> Fixed {
     } else if *y < zero {
         atan(&-y, &-x) - pi()
     } else {
-        pi() - atan(&-y.clone(), &-x)
+        pi() - atan(y, &-x)
     }
 }
 

@@ -116,9 +116,9 @@ const READERS: &[(&str, Reader)] = &[
     ("xml", cornell::read),
     ("nff", nff::read),
     ("json", json::read),
+    ("glb", gltf::read),
+    ("gltf", gltf::read),
     ("obj", obj::read),
     ("ply", ply::read),
     ("stl", stl::read),
-    ("gltf", gltf::read),
-    ("glb", gltf::read),
 ];

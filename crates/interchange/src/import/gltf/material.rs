@@ -1,10 +1,16 @@
 //! What a glTF material is here: its base color, scattered evenly, or by itself
-//! where it is unlit. Colors are linear.
+//! where it is unlit. Where roughness is 0 the model is a mirror, in the base
+//! color for a metal and over it for what is none. Colors are linear.
+//!
+//! Source: "glTF 2.0 Specification", The Khronos Group, 2021, appendix B.
 
 use scene::format;
 
 use super::document::{Material, Metal};
 use crate::import::mesh::stage::Stage;
+
+/// The index of refraction of what is no metal.
+const GLAZE: f64 = 1.5;
 
 /// The material; what it asks for and does not get is noted.
 ///
@@ -51,15 +57,29 @@ pub(super) fn of(
     if is_unlit {
         return Ok(format::Material::Constant { color, texture: None });
     }
-    if metal != 0.0 || rough != 1.0 {
-        let factors = format!("metallic {metal} and roughness {rough}");
-        let what = format!("{factors} are left out: it scatters its base color evenly");
-        lose("pbrMetallicRoughness", &what);
-    } else {
-        let what = "materials without metal and fully rough scatter their base color evenly, \
-                    without the four parts in a hundred that glTF's model reflects";
-        if !stage.chosen.iter().any(|said| said == what) {
-            stage.chosen.push(what.to_owned());
+    match (metal, rough) {
+        (1.0, 0.0) => return Ok(format::Material::Mirror { reflectance: color, schlick: true }),
+        (0.0, 0.0) => {
+            return Ok(format::Material::Glazed {
+                texture: None,
+                ior: GLAZE,
+                schlick: true,
+                diffuse: Some(color),
+                specular: [0.0; 3],
+                exponent: 1.0,
+            });
+        }
+        (0.0, 1.0) => {
+            let what = "materials without metal and fully rough scatter their base color evenly, \
+                        without the four parts in a hundred that glTF's model reflects";
+            if !stage.chosen.iter().any(|said| said == what) {
+                stage.chosen.push(what.to_owned());
+            }
+        }
+        _ => {
+            let factors = format!("metallic {metal} and roughness {rough}");
+            let what = format!("{factors} are left out: it scatters its base color evenly");
+            lose("pbrMetallicRoughness", &what);
         }
     }
     Ok(format::Material::Lambert { diffuse: Some(color), texture: None })

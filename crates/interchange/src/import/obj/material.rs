@@ -1,8 +1,9 @@
 //! What an MTL material is here.
 //!
 //! The models 0 to 2 are the lecture's own formulas: a color without light,
-//! Lambert's law, and Blinn's form of Phong's highlight. Numbers of a model that
-//! does not use them are passed over; colors are taken as linear.
+//! Lambert's law, and Blinn's form of Phong's highlight; 3 and 6 are Whitted's
+//! sum. Numbers of a model that does not use them are passed over; colors are
+//! taken as linear.
 //!
 //! Source: "MTL material format (Lightwave, OBJ)", Alias|Wavefront, Inc., 1995,
 //! section "Illumination models".
@@ -28,8 +29,9 @@ pub(super) fn of(name: &str, written: &Definition, stage: &mut Stage) -> Materia
     let is_colored = |color: Option<Triple>| color.is_some_and(|color| color != [0.0; 3]);
     let has_highlight = is_colored(written.ks);
     let illum = written.illum.unwrap_or(if has_highlight { 2 } else { 1 });
-    if illum > 2 {
-        lose(line("illum"), &format!("illum {illum}"), beyond(illum));
+    let lack = lacks(illum);
+    if !lack.is_empty() {
+        lose(line("illum"), &format!("illum {illum}"), lack);
     }
     if written.d.is_some_and(|d| d < 1.0) {
         let keyword = if line("d").is_some() { "d" } else { "Tr" };
@@ -51,29 +53,60 @@ pub(super) fn of(name: &str, written: &Definition, stage: &mut Stage) -> Materia
         stage.chosen.push(format!("material \"{name}\" has no Kd: it is white"));
     }
     let diffuse = written.kd;
-    match (illum, written.ks.filter(|_| has_highlight), written.ns) {
-        (0, ..) => Material::Constant { color: diffuse.unwrap_or([1.0; 3]), texture: None },
-        (1, ..) | (_, None, _) => Material::Lambert { diffuse, texture: None },
-        (_, Some(specular), Some(exponent)) => Material::BlinnPhong {
-            diffuse,
-            specular,
-            exponent: exponent.max(EVERYWHERE),
-            texture: None,
-        },
-        (_, Some(_), None) => {
-            lose(line("Ks"), "Ks", "a highlight without Ns, which says how sharp, is left out");
-            Material::Lambert { diffuse, texture: None }
+    if illum == 0 {
+        return Material::Constant { color: diffuse.unwrap_or([1.0; 3]), texture: None };
+    }
+    let ks = written.ks.filter(|_| has_highlight && illum > 1);
+    if ks.is_some() && written.ns.is_none() {
+        lose(line("Ks"), "Ks", "a highlight without Ns, which says how sharp, is left out");
+    }
+    let exponent = written.ns.map(|ns| ns.max(EVERYWHERE));
+    let highlight = ks.zip(exponent);
+    let (reflects, refracts) = (matches!(illum, 3..=7), matches!(illum, 6 | 7));
+    if reflects && (ks.is_some() || refracts) {
+        let reflect = ks.unwrap_or_default();
+        let through = written.tf.unwrap_or([1.0; 3]);
+        let transmit =
+            if refracts { [0, 1, 2].map(|k| (1.0 - reflect[k]) * through[k]) } else { [0.0; 3] };
+        let is_share = |x: &f64| (0.0..=1.0).contains(x);
+        if reflect.iter().chain(&transmit).all(is_share) {
+            let (specular, exponent) = highlight.unwrap_or(([0.0; 3], 1.0));
+            let ior = if refracts { written.ni.unwrap_or(1.0) } else { 1.0 };
+            let schlick = matches!(illum, 5 | 7);
+            return Material::Whitted {
+                diffuse,
+                specular,
+                exponent,
+                reflect,
+                transmit,
+                ior,
+                schlick,
+                texture: None,
+            };
         }
+        let what = "it reflects and refracts nothing: its shares are more than 1";
+        lose(line("illum"), &format!("illum {illum}"), what);
+    }
+    match highlight {
+        Some((specular, exponent)) => {
+            Material::BlinnPhong { diffuse, specular, exponent, texture: None }
+        }
+        None => Material::Lambert { diffuse, texture: None },
     }
 }
 
-/// What a model does that models 0 to 2 do not.
-fn beyond(illum: u32) -> &'static str {
+/// What a model does that is not done here.
+pub(super) fn lacks(illum: u32) -> &'static str {
     match illum {
-        3 | 8 => "it reflects nothing",
-        4 | 6 | 9 => "it reflects nothing and is not transparent",
-        5 => "it reflects nothing, by Fresnel's law or else",
-        7 => "it reflects nothing, by Fresnel's law or else, and is not transparent",
+        0..=3 | 6 => "",
+        4 => "it is not transparent: the model refracts nothing",
+        5 => "Fresnel's law is left out of its highlights, and Schlick's stands in for it",
+        7 => {
+            "Fresnel's law is left out of its highlights and of what goes through, and Schlick's \
+              stands in for it"
+        }
+        8 => "it reflects nothing: the model sends no rays",
+        9 => "it reflects nothing and is not transparent: the model sends no rays",
         10 => "it is seen, and not only its shadow",
         _ => "there is no such model: it is taken as 2",
     }

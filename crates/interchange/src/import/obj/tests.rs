@@ -2,6 +2,7 @@
 
 use scene::format::{Material, Object};
 
+use super::material::lacks;
 use super::*;
 use crate::import::tests::{TETRAHEDRON, check_refused, lost, picture};
 
@@ -179,10 +180,6 @@ fn materials_are_what_their_model_says() {
     check_material("Kd 1\nKs 1", &white(), &said);
     let said = of("Ka of material \"m\" (lib.mtl:3): ambient light is reflected as by Kd");
     check_material("Kd 1\nKa 1 0 1", &white(), &said);
-    let said = of(
-        "illum 7 of material \"m\" (lib.mtl:3): it reflects nothing, by Fresnel's law or else, and is not transparent",
-    );
-    check_material("Kd 1\nillum 7", &white(), &said);
     let said = of("Tr of material \"m\" (lib.mtl:3): it is not transparent");
     check_material("Kd 1\nTr 0.25", &white(), &said);
     let said = of("map_Kd of material \"m\" (lib.mtl:3): the texture is left out, Kd stays");
@@ -195,6 +192,43 @@ fn materials_are_what_their_model_says() {
     let said =
         of("newmtl of material \"m\" (lib.mtl:3): a second material of the same name is left out");
     check_material("Kd 1\nnewmtl m\nKd 0", &white(), &said);
+}
+
+#[test]
+fn models_that_send_rays_are_whitted() {
+    let whitted = |reflect: f64, transmit: [f64; 3], ior: f64, schlick: bool| Material::Whitted {
+        texture: None,
+        diffuse: Some([0.25; 3]),
+        specular: [reflect; 3],
+        exponent: if reflect > 0.0 { 9.0 } else { 1.0 },
+        reflect: [reflect; 3],
+        transmit,
+        ior,
+        schlick,
+    };
+    let with = |more: &str| format!("Kd 0.25\nNs 9\nNi 1.5\nTf 1 0.5 0\n{more}");
+    let lambert = Material::Lambert { diffuse: Some([0.25; 3]), texture: None };
+    check_material(&with("Ks 0.5\nillum 3"), &whitted(0.5, [0.0; 3], 1.0, false), "");
+    check_material(&with("illum 3"), &lambert, "");
+    let through = [0.5, 0.25, 0.0];
+    check_material(&with("Ks 0.5\nillum 6"), &whitted(0.5, through, 1.5, false), "");
+    check_material(&with("illum 6"), &whitted(0.0, [1.0, 0.5, 0.0], 1.5, false), "");
+    let said = |illum: u32, line: u32, what: &str| {
+        format!("1:8: illum {illum} of material \"m\" (lib.mtl:{line}): {what}\n")
+    };
+    let lack = said(5, 7, lacks(5));
+    check_material(&with("Ks 0.5\nillum 5"), &whitted(0.5, [0.0; 3], 1.0, true), &lack);
+    let lack = said(7, 7, lacks(7));
+    check_material(&with("Ks 0.5\nillum 7"), &whitted(0.5, through, 1.5, true), &lack);
+    check_material(&with("illum 8"), &lambert, &said(8, 6, lacks(8)));
+    let much = Material::BlinnPhong {
+        diffuse: Some([0.25; 3]),
+        specular: [2.0; 3],
+        exponent: 9.0,
+        texture: None,
+    };
+    let what = "it reflects and refracts nothing: its shares are more than 1";
+    check_material(&with("Ks 2\nillum 3"), &much, &said(3, 7, what));
 }
 
 #[test]

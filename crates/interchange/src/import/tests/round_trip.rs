@@ -89,3 +89,18 @@ fn everything_is_in_view() {
         assert!((0..w).any(|x| (0..h).any(|y| is_seen(x, y))), "{image:?}: nothing");
     }
 }
+
+#[test]
+fn the_shading_is_the_formats_unless_wished() {
+    use scene::format::Shading::{Attenuated, Classic, Radiometric};
+    for (name, bytes) in files(false) {
+        let with = |shading| {
+            let wishes = Wishes { shading, ..Wishes::default() };
+            import(Source { name, bytes: &bytes }, &wishes, &scene::NoAssets).unwrap()
+        };
+        let own = if name.contains(".gl") { Radiometric } else { Classic };
+        assert_eq!(with(None).scene.shading, own, "{name}");
+        assert!(with(None).chosen.iter().any(|said| said.contains("shading")), "{name}");
+        assert_eq!(with(Some(Attenuated)).scene.shading, Attenuated, "{name}");
+    }
+}

@@ -121,9 +121,15 @@ fn lights_are_where_their_nodes_are() {
     picture(&imported);
 }
 
-/// The material that it becomes, and what is lost.
+/// The material that it becomes, what is lost, and that something is seen.
 #[track_caller]
 fn check(material: &Value, expected: &Material, expected_lost: &str) {
+    picture(&check_unseen(material, expected, expected_lost));
+}
+
+/// The same, but for a mirror with nothing around.
+#[track_caller]
+fn check_unseen(material: &Value, expected: &Material, expected_lost: &str) -> Imported {
     let imported = import(|all| {
         all["meshes"][0]["primitives"][0]["material"] = 0.into();
         all["materials"] = json!([material]);
@@ -131,7 +137,7 @@ fn check(material: &Value, expected: &Material, expected_lost: &str) {
     let imported = imported.unwrap();
     assert_eq!(imported.scene.materials.values().next(), Some(expected), "{material}");
     assert_eq!(lost(&imported), expected_lost, "{material}");
-    picture(&imported);
+    imported
 }
 
 #[test]
@@ -143,6 +149,22 @@ fn materials_are_their_base_colors() {
     let lost = "materials[0]: pbrMetallicRoughness: metallic 1 and roughness 1 are left out: it \
                 scatters its base color evenly\n";
     check(&json!({"name": "a"}), &white(), lost);
+    let smooth = |metal: u32| {
+        let base = [1.0, 0.5, 0.0, 1.0];
+        json!({"pbrMetallicRoughness":
+            {"metallicFactor": metal, "roughnessFactor": 0, "baseColorFactor": base}})
+    };
+    let mirror = Material::Mirror { reflectance: [1.0, 0.5, 0.0], schlick: true };
+    check_unseen(&smooth(1), &mirror, "");
+    let glazed = Material::Glazed {
+        texture: None,
+        ior: 1.5,
+        schlick: true,
+        diffuse: Some([1.0, 0.5, 0.0]),
+        specular: [0.0; 3],
+        exponent: 1.0,
+    };
+    check(&smooth(0), &glazed, "");
     let unlit = json!({"KHR_materials_unlit": {}});
     check(
         &json!({"extensions": unlit, "pbrMetallicRoughness": plain, "emissiveFactor": [1, 1, 1]}),
