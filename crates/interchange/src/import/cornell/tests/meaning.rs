@@ -22,7 +22,10 @@ fn what_is_not_known_is_lost_by_name_and_place() {
     loses("<light type=\"AmbientLight\"/>", &["light: only point lights are known"]);
     loses("<light><shadows>no</shadows></light>", &["shadows: is not known inside light"]);
     loses("<shader type=\"Normal\"/>", &["shader: has no name"]);
-    loses("<shader name=\"a\" type=\"CookTorrance\"/>", &["shader: the type CookTorrance is not known"]);
+    loses(
+        "<shader name=\"a\" type=\"CookTorrance\"/>",
+        &["shader: the type CookTorrance is not known"],
+    );
     let again = "<shader name=\"a\" type=\"Normal\"/>".repeat(2);
     loses(&again, &["\"a\" is the name of a shader before it"]);
     let woven = "<shader name=\"a\" type=\"Phong\"><texture type=\"RepeatTexture\"/></shader>";

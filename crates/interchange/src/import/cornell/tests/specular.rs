@@ -8,10 +8,8 @@ use super::*;
 /// read and said.
 #[track_caller]
 fn check(shading: Shading, shader: &str, expected: &Material, said: &str) {
-    let text = BALL.replace(
-        "</scene>",
-        &format!("<surface type=\"Sphere\">{shader}</surface></scene>"),
-    );
+    let text =
+        BALL.replace("</scene>", &format!("<surface type=\"Sphere\">{shader}</surface></scene>"));
     let wishes = Wishes { shading: Some(shading), ..Wishes::default() };
     let source = Source { name: "a.xml", bytes: text.as_bytes() };
     let imported = import(source, &wishes, &NoAssets).unwrap();
@@ -47,14 +45,11 @@ fn a_glaze_is_over_what_is_lit() {
         texture: None,
     };
     let over = |substrate: &str| {
-        format!(
-            "<shader type='Glazed'><refractiveIndex>1.25</refractiveIndex>{substrate}</shader>"
-        )
+        format!("<shader type='Glazed'><refractiveIndex>1.25</refractiveIndex>{substrate}</shader>")
     };
     let color = Some([1.0, 0.5, 0.0]);
-    let lambert = over(
-        "<substrate type='Lambertian'><diffuseColor>1 .5 0</diffuseColor></substrate>",
-    );
+    let lambert =
+        over("<substrate type='Lambertian'><diffuseColor>1 .5 0</diffuseColor></substrate>");
     check(Shading::Attenuated, &lambert, &glazed(false, color, [0.0; 3], 1.0), FRESNEL);
     check(Shading::Classic, &lambert, &glazed(true, color, [0.0; 3], 1.0), SCHLICK);
     let phong = over(
@@ -78,7 +73,8 @@ fn what_a_glaze_cannot_be_over_is_lost() {
         )
     };
     let over_constant = "<substrate type='Constant'><color>1 0 0</color></substrate>";
-    let scene = loses(&with_substrate(over_constant), &["a glaze over Constant is not known"]).scene;
+    let scene =
+        loses(&with_substrate(over_constant), &["a glaze over Constant is not known"]).scene;
     let red = Material::Constant { color: [1.0, 0.0, 0.0], texture: None };
     assert_eq!(scene.materials["a"], red);
     loses(
