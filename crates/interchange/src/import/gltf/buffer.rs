@@ -105,14 +105,14 @@ impl<'a> Buffers<'a> {
     pub(super) fn picture(&mut self, image: &Image) -> Result<(Option<String>, Vec<u8>), String> {
         let within = |why: String| format!("is not there: {why}");
         match (&image.uri, image.buffer_view) {
-            (Some(uri), None) => match scheme(uri) {
-                Some(data) => Ok((None, in_document(data).map_err(within)?)),
-                None => {
-                    let bytes = self.file(uri).map_err(within)?;
-                    let name = decoded(uri).map(|path| without_dot(&path).to_owned());
-                    Ok((name, bytes))
+            (Some(uri), None) => {
+                if let Some(data) = scheme(uri) {
+                    return Ok((None, in_document(data).map_err(within)?));
                 }
-            },
+                let bytes = self.file(uri).map_err(within)?;
+                let name = decoded(uri).map(|path| without_dot(&path).to_owned());
+                Ok((name, bytes))
+            }
             (None, Some(view)) => Ok((None, self.view(view).map_err(within)?.0.to_vec())),
             _ => Err(within("expected a `uri` or a `bufferView`, one of them".to_owned())),
         }

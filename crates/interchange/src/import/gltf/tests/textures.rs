@@ -7,10 +7,10 @@ use crate::import::tests::{at_unit_square, four_colors, letters, png};
 /// texture; the picture is in the third view.
 fn square(picture: &[u8]) -> Value {
     let mut bytes = Vec::new();
-    let mut put = |x: f32| bytes.extend(x.to_le_bytes());
+    let mut put = |numbers: &[f32]| bytes.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    corners.iter().for_each(|[x, y]| [*x, *y, 0.0].into_iter().for_each(&mut put));
-    corners.iter().for_each(|[x, y]| [*x, 1.0 - *y].into_iter().for_each(&mut put));
+    put(corners.map(|[x, y]| [x, y, 0.0]).as_flattened());
+    put(corners.map(|[x, y]| [x, 1.0 - y]).as_flattened());
     bytes.extend(picture);
     let data = STANDARD.encode(&bytes);
     json!({
