@@ -11,7 +11,6 @@ mod mesh;
 mod nff;
 mod obj;
 mod ply;
-mod polygon;
 mod prove;
 mod report;
 mod sense;

@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use scene::format::Object;
+use scene::format::{Material, Object, Texture};
 use scene::{MAX_ASSET_BYTES, MAX_SCENE_BYTES, Unchecked, visible};
 
 use super::{Imported, Unreadable};
@@ -11,16 +11,28 @@ use super::{Imported, Unreadable};
 impl Imported {
     /// Puts the files that the scene names into a folder beside it.
     pub fn move_files(&mut self, folder: &str) {
+        fn inside(folder: &str, file: &mut String) {
+            *file = format!("{folder}/{file}");
+        }
+        fn show(material: &mut Material, folder: &str) {
+            if let Some(Some(Texture::Image { file, .. })) = material.texture_mut() {
+                inside(folder, file);
+            }
+        }
         fn rename(objects: &mut [Object], folder: &str) {
             for object in objects {
+                if let Some(material) = object.material_mut() {
+                    show(material, folder);
+                }
                 match object {
-                    Object::Mesh { file, .. } => *file = format!("{folder}/{file}"),
+                    Object::Mesh { file, .. } => inside(folder, file),
                     Object::Group { objects, .. } => rename(objects, folder),
                     _ => {}
                 }
             }
         }
         rename(&mut self.scene.objects, folder);
+        self.scene.materials.values_mut().for_each(|material| show(material, folder));
         let files = std::mem::take(&mut self.files);
         let moved = |(name, bytes)| (format!("{folder}/{name}"), bytes);
         self.files = files.into_iter().map(moved).collect();

@@ -20,8 +20,11 @@ use predicate::{Point, orientation, to_size, turn};
 pub enum Problem {
     /// It has no area: fewer than three corners, or all on one line.
     NoArea,
-    /// It crosses itself.
-    Crossing,
+    /// The edges that begin at these corners, from 0, go right through each other.
+    Crossing(usize, usize),
+    /// It goes around some of its inside more than once, or backwards, without
+    /// such edges.
+    Tangled,
     /// Cutting it, with those before, takes more work than is allowed.
     TooMuchWork,
 }
@@ -31,7 +34,8 @@ impl Problem {
     pub fn text(self) -> &'static str {
         match self {
             Self::NoArea => "has no area",
-            Self::Crossing => "crosses itself",
+            Self::Crossing(..) => "crosses itself",
+            Self::Tangled => "is wound around itself",
             Self::TooMuchWork => "is one of too many with too many corners",
         }
     }
@@ -76,8 +80,8 @@ impl Cutter {
             return Ok((2..ring.len()).map(|i| [ring[0], ring[i - 1], ring[i]]).collect());
         }
         self.spend(points.len().saturating_mul(points.len()))?;
-        if crosses_itself(&points) {
-            return Err(Problem::Crossing);
+        if let Some((a, b)) = crossing(&points) {
+            return Err(Problem::Crossing(ring[a], ring[b]));
         }
         let triangles = self.clip(&points)?;
         Ok(triangles.into_iter().map(|corners| corners.map(|i| ring[i])).collect())
@@ -114,18 +118,24 @@ impl Cutter {
                 failed += 1;
                 at += 1;
             } else {
-                return Err(Problem::Crossing);
+                return Err(Problem::Tangled);
             }
         }
         if let [a, b, c] = left[..] {
             match turn(points[a], points[b], points[c]) {
                 Ordering::Greater => triangles.push([a, b, c]),
                 Ordering::Equal => {}
-                Ordering::Less => return Err(Problem::Crossing),
+                Ordering::Less => return Err(Problem::Tangled),
             }
         }
         Ok(triangles)
     }
+}
+
+/// Whether a polygon covers anything from any side.
+pub fn has_area(corners: &[DVec3]) -> bool {
+    let ring = without_repetitions(corners);
+    ring.len() > 2 && flattened(corners, &ring).is_some()
 }
 
 /// How far the corner farthest from a polygon's plane is off it, in shares of
@@ -192,22 +202,23 @@ fn is_convex(points: &[Point]) -> bool {
     lowest == 1 && (0..n).all(|i| turn(points[i], points[(i + 1) % n], points[(i + 2) % n]).is_gt())
 }
 
-/// Whether two edges have a point in common that is inside both.
-fn crosses_itself(points: &[Point]) -> bool {
+/// Two edges that have a point in common that is inside both, by where they begin.
+fn crossing(points: &[Point]) -> Option<(usize, usize)> {
     let n = points.len();
     let edge = |i: usize| (points[i], points[(i + 1) % n]);
     let apart = |(a, b): (Point, Point), (c, d): (Point, Point)| {
         (0..2).any(|k| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]))
     };
     let opposite = |x: Ordering, y: Ordering| x.is_ne() && x == y.reverse();
-    (0..n).any(|i| {
+    (0..n).find_map(|i| {
         let first = edge(i);
-        (i + 2..n).any(|j| {
-            let ((a, b), (c, d)) = (first, edge(j));
+        let cuts = |j: &usize| {
+            let ((a, b), (c, d)) = (first, edge(*j));
             !apart((a, b), (c, d))
                 && opposite(turn(a, b, c), turn(a, b, d))
                 && opposite(turn(c, d, a), turn(c, d, b))
-        })
+        };
+        (i + 2..n).find(cuts).map(|j| (i, j))
     })
 }
 

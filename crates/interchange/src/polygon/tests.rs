@@ -102,13 +102,16 @@ fn what_cannot_be_cut_is_a_problem() {
     check_problem(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]], Problem::NoArea);
     check_problem(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0]], Problem::NoArea);
     check_problem(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], Problem::NoArea);
-    check_problem(&[[0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [0.0, 2.0]], Problem::Crossing);
+    check_problem(&[[0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [0.0, 2.0]], Problem::Crossing(0, 2));
+    // Numbered as they are written; of repetitions the first.
+    let twice = [[0.0, 0.0], [0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [3.0, 0.0], [0.0, 2.0]];
+    check_problem(&twice, Problem::Crossing(0, 3));
     // A star of five points drawn in one line winds around its middle twice.
     let star = [[0.0, 3.0], [2.0, -3.0], [-3.0, 1.0], [3.0, 1.0], [-2.0, -3.0]];
-    check_problem(&star, Problem::Crossing);
+    check_problem(&star, Problem::Crossing(0, 2));
     // Two triangles that meet in a corner, around opposite ways.
     let eight = [[0.0, 0.0], [3.0, -1.0], [3.0, 1.0], [0.0, 0.0], [-2.0, -1.0], [-2.0, 1.0]];
-    check_problem(&eight, Problem::Crossing);
+    check_problem(&eight, Problem::Tangled);
 }
 
 #[test]
@@ -158,6 +161,96 @@ fn work_has_an_end() {
     let cuts = (0..100).take_while(|_| cutter.cut(&arrow).is_ok()).count();
     assert!((1..10).contains(&cuts), "{cuts}");
     assert_eq!(cutter.cut(&arrow), Err(Problem::TooMuchWork));
+}
+
+/// Whether the polygon winds around a point.
+fn is_inside(points: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let pairs = points.iter().zip(points.iter().cycle().skip(1));
+    let crossed = pairs.filter(|(a, b)| {
+        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Points all over it are covered once inside, and not at all outside.
+#[track_caller]
+fn check_covered(points: &[[f64; 2]]) {
+    let triangles = Cutter::default().cut(&in_space(points, 2)).unwrap();
+    let extent = |k: usize| {
+        let all = points.iter().map(|p| p[k]);
+        (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
+    };
+    let covers = |triangle: &[usize; 3], [x, y]: [f64; 2]| {
+        let [a, b, c] = triangle.map(|i| points[i]);
+        let sides = [(a, b), (b, c), (c, a)]
+            .map(|(a, b)| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]));
+        sides.iter().all(|&side| side > 0.0)
+    };
+    for i in 0..1_600 {
+        // Off the lines that the corners of these tests are on.
+        let share = [f64::from(i % 40) + 0.4871, f64::from(i / 40) + 0.5313];
+        let p = [0, 1].map(|k| {
+            let (low, high) = extent(k);
+            low + (high - low) * share[k] / 40.0
+        });
+        let times = triangles.iter().filter(|triangle| covers(triangle, p)).count();
+        assert_eq!(times, usize::from(is_inside(points, p)), "{p:?}");
+    }
+}
+
+#[test]
+fn points_are_covered_once() {
+    let arm = |i: i32, r: f64| {
+        let (sin, cos) = libm::sincos(f64::from(i) * 0.3);
+        let r = r + f64::from(i) * 0.1;
+        [r * cos, r * sin]
+    };
+    let mut spiral: Vec<_> = (0..60).map(|i| arm(i, 2.0)).collect();
+    spiral.extend((0..60).rev().map(|i| arm(i, 1.0)));
+    check_covered(&spiral);
+    let mut comb = vec![[20.0, 0.0], [20.0, -1.0], [0.0, -1.0], [0.0, 0.0]];
+    comb.extend((0..20).map(f64::from).flat_map(|x| [[x + 0.1, 5.0 + x * 0.1], [x + 0.9, 0.1]]));
+    comb.reverse();
+    check_covered(&comb);
+    let teeth = (0..2_000).map(|i| {
+        let (sin, cos) = libm::sincos(f64::from(i) * std::f64::consts::TAU / 2_000.0);
+        let r = if i / 2 % 2 == 0 { 1.0 } else { 0.9 };
+        [r * cos, r * sin]
+    });
+    check_covered(&teeth.collect::<Vec<_>>());
+}
+
+#[test]
+fn triangles_turn_as_the_polygon_does() {
+    let square = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y];
+    let turns: [fn(DVec3) -> DVec3; 6] = [
+        |c| c,
+        |c| DVec3::new(c.y, c.x, 3.0),
+        |c| DVec3::new(7.0, c.x, c.y),
+        |c| DVec3::new(7.0, c.y, c.x),
+        |c| DVec3::new(c.x, -2.0, c.y),
+        |c| DVec3::new(c.y, -2.0, c.x) * 1e100,
+    ];
+    for turn in turns {
+        let corners = square.map(turn);
+        let normal = |[a, b, c]: [usize; 3]| {
+            let [a, b, c] = [a, b, c].map(|i| corners[i]);
+            (b - a).normalize().cross((c - a).normalize())
+        };
+        let whole = normal([0, 1, 3]);
+        for triangle in Cutter::default().cut(&corners).unwrap() {
+            assert!(normal(triangle).dot(whole) > 0.5, "{corners:?}");
+        }
+    }
+}
+
+#[test]
+fn what_covers_something() {
+    let line = in_space(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], 1);
+    assert!(!has_area(&line) && !has_area(&[]) && !has_area(&[DVec3::NAN; 4]));
+    let bit = [[0.0, 0.0], [1.0, 1.0_f64.next_down()], [2.0, 2.0]];
+    assert!(has_area(&in_space(&bit, 1)));
+    assert!(has_area(&[DVec3::ZERO, DVec3::X * 1e100, DVec3::Y * 1e-100]));
 }
 
 #[test]

@@ -132,4 +132,16 @@ impl Material {
             Self::Named(_) | Self::Normal | Self::Mirror { .. } | Self::Dielectric { .. } => None,
         }
     }
+
+    /// Where its own texture stands; `None` where none can.
+    pub fn texture_mut(&mut self) -> Option<&mut Option<Texture>> {
+        match self {
+            Self::Constant { texture, .. }
+            | Self::Lambert { texture, .. }
+            | Self::BlinnPhong { texture, .. }
+            | Self::Whitted { texture, .. }
+            | Self::Glazed { texture, .. } => Some(texture),
+            Self::Named(_) | Self::Normal | Self::Mirror { .. } | Self::Dielectric { .. } => None,
+        }
+    }
 }

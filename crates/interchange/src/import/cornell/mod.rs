@@ -14,6 +14,7 @@ mod msh;
 mod reader;
 mod shader;
 mod shading;
+mod specular;
 mod surface;
 #[cfg(test)]
 mod tests;

@@ -7,7 +7,7 @@ use scene::Assets;
 use scene::format::{Light, Material, Object, Shading};
 
 use super::element::{Element, Notes, name_of, written_name};
-use super::shading;
+use super::{shading, specular};
 use crate::import::files::Files;
 use crate::import::report::Report;
 use crate::import::sense::Sense;
@@ -23,6 +23,8 @@ pub(super) struct Reader<'a> {
     pub(super) shading: Shading,
     pub(super) materials: BTreeMap<String, Material>,
     pub(super) lights: Vec<Light>,
+    /// How many surfaces a ray is followed over.
+    pub(super) bounces: u32,
 }
 
 impl<'a> Reader<'a> {
@@ -35,7 +37,9 @@ impl<'a> Reader<'a> {
             let message = "this build cannot judge scenes".to_owned();
             vec![Unreadable { place: None, message, help: None }]
         })?;
+        let bounces = sense.blank().bounces;
         Ok(Self {
+            bounces,
             notes: Notes { text, report: Report::default() },
             assets,
             files: Files::default(),
@@ -60,9 +64,11 @@ impl<'a> Reader<'a> {
         self.notes.no_text(root);
         self.choose_shading(root, wishes);
         // Shaders first: a surface may name one that stands after it.
-        for node in root.children().filter(|node| name_of(*node) == "shader") {
-            self.named_shader(node);
-        }
+        let shaders = || root.children().filter(|node| name_of(*node) == "shader");
+        let stand_last = [false, true].into_iter().flat_map(|on_another| {
+            shaders().filter(move |node| specular::stands_on_another(node) == on_another)
+        });
+        stand_last.for_each(|node| self.named_shader(node));
         let mut file = self.sense.blank();
         let (mut camera, mut image) = (None, None);
         let (mut exposure, mut background) = (None, None);
@@ -111,6 +117,7 @@ impl<'a> Reader<'a> {
         file.objects = objects;
         file.materials = self.materials;
         file.lights = self.lights;
+        file.bounces = self.bounces;
         self.notes.report.finish(file, self.files.into_map())
     }
 

@@ -2,7 +2,7 @@
 
 use scene::format::{Material, Shading};
 
-use super::element::{Element, Fields, attribute, written_name};
+use super::element::{Element, Fields, attribute};
 use super::reader::Reader;
 use crate::import::text::shown;
 
@@ -40,17 +40,15 @@ impl Reader<'_> {
         None
     }
 
-    /// A shader in place. One of a kind that is not known is lost, and what
-    /// would show it is white, or gray by the later conventions.
+    /// A shader in place; `None` with a problem.
     fn shader(&mut self, node: Element<'_>) -> Option<Material> {
         self.notes.only_attributes(node, &["name", "type"]);
         let material = match &*self.kind(node, None)? {
             "lambertian" => {
-                let fields = Fields::of(node, &["diffusecolor"], &[], &mut self.notes);
-                Material::Lambert {
-                    diffuse: fields.triple("diffusecolor", &mut self.notes),
-                    texture: None,
-                }
+                let known = ["diffusecolor", "mirrorcoefficient"];
+                let fields = Fields::of(node, &known, &[], &mut self.notes);
+                let diffuse = fields.triple("diffusecolor", &mut self.notes);
+                self.mirroring(Material::Lambert { diffuse, texture: None }, &fields)
             }
             "phong" => self.phong(node),
             "constant" => {
@@ -65,16 +63,9 @@ impl Reader<'_> {
                 Fields::of(node, &[], &[], &mut self.notes);
                 Material::Normal
             }
-            _ => {
-                let kind = attribute(node, "type").unwrap_or_default();
-                let what = format!(
-                    "the type {} is not known: what has this {} is shown as plain Lambert",
-                    shown(kind),
-                    written_name(node)
-                );
-                self.notes.lost(node, what);
-                Material::Lambert { diffuse: None, texture: None }
-            }
+            "glass" => self.glass(node),
+            "glazed" => self.glazed(node)?,
+            _ => self.unknown_shader(node),
         };
         let problems = self.sense.of_material(&material);
         self.judge(node, problems).then_some(material)
@@ -83,7 +74,7 @@ impl Reader<'_> {
     /// Lambert with a highlight about the half vector. Its diffuse color is
     /// white where it does not say, in every year.
     fn phong(&mut self, node: Element<'_>) -> Material {
-        let known = ["diffusecolor", "specularcolor", "exponent"];
+        let known = ["diffusecolor", "specularcolor", "exponent", "mirrorcoefficient"];
         let fields = Fields::of(node, &known, &[], &mut self.notes);
         let notes = &mut self.notes;
         let white = match self.shading {
@@ -91,11 +82,12 @@ impl Reader<'_> {
             Shading::Classic | Shading::Attenuated => None,
             Shading::Radiometric => Some([1.0; 3]),
         };
-        Material::BlinnPhong {
+        let lit = Material::BlinnPhong {
             texture: None,
             diffuse: fields.triple("diffusecolor", notes).or(white),
             specular: fields.triple("specularcolor", notes).unwrap_or([1.0; 3]),
             exponent: fields.number("exponent", notes).unwrap_or(1.0),
-        }
+        };
+        self.mirroring(lit, &fields)
     }
 }

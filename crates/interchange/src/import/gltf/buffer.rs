@@ -8,7 +8,7 @@ use base64::alphabet;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use scene::{Assets, check_path};
 
-use super::document::{Buffer, Document};
+use super::document::{Buffer, Document, Image};
 
 /// The most bytes of all buffers together.
 const MOST_BYTES: u64 = 2 * scene::MAX_ASSET_BYTES;
@@ -81,9 +81,9 @@ impl<'a> Buffers<'a> {
                 let own = self.own.filter(|_| index == 0);
                 own.ok_or("expected a `uri`, as there is no binary chunk for it")?.to_vec()
             }
-            Some(uri) => match uri.split_at_checked(5) {
-                Some((scheme, data)) if scheme.eq_ignore_ascii_case("data:") => in_document(data)?,
-                _ => self.file(uri)?,
+            Some(uri) => match scheme(uri) {
+                Some(data) => in_document(data)?,
+                None => self.file(uri)?,
             },
         };
         let length = usize::try_from(buffer.byte_length).unwrap_or(usize::MAX);
@@ -96,6 +96,26 @@ impl<'a> Buffers<'a> {
             return Err(format!("expected at most {MOST_BYTES} bytes of all buffers together"));
         }
         Ok(bytes)
+    }
+
+    /// The bytes of a picture, and the file's name where it is one.
+    ///
+    /// # Errors
+    /// What is wrong with its address or view, as the end of a sentence.
+    pub(super) fn picture(&mut self, image: &Image) -> Result<(Option<String>, Vec<u8>), String> {
+        let within = |why: String| format!("is not there: {why}");
+        match (&image.uri, image.buffer_view) {
+            (Some(uri), None) => {
+                if let Some(data) = scheme(uri) {
+                    return Ok((None, in_document(data).map_err(within)?));
+                }
+                let bytes = self.file(uri).map_err(within)?;
+                let name = decoded(uri).map(|path| without_dot(&path).to_owned());
+                Ok((name, bytes))
+            }
+            (None, Some(view)) => Ok((None, self.view(view).map_err(within)?.0.to_vec())),
+            _ => Err(within("expected a `uri` or a `bufferView`, one of them".to_owned())),
+        }
     }
 
     fn file(&self, uri: &str) -> Result<Vec<u8>, String> {
@@ -111,6 +131,12 @@ impl<'a> Buffers<'a> {
         let path = without_dot(&path);
         self.assets.read(path).map_err(|why| format!("the file \"{path}\" {why}"))
     }
+}
+
+/// What a `data:` address holds behind that.
+fn scheme(uri: &str) -> Option<&str> {
+    let (scheme, data) = uri.split_at_checked(5)?;
+    scheme.eq_ignore_ascii_case("data:").then_some(data)
 }
 
 /// The bytes that a `data:` address holds behind its scheme.

@@ -2,7 +2,7 @@
 //!
 //! Source: "glTF 2.0 Specification", The Khronos Group, 2021, section
 //! "JSON Schema Reference"; the extensions `KHR_lights_punctual` and
-//! `KHR_materials_unlit`. Names are theirs.
+//! `KHR_materials_unlit`, `_transmission`, `_ior` and `_volume`. Names are theirs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -33,6 +33,9 @@ objects! {
         buffer_views: Vec<BufferView>,
         buffers: Vec<Buffer>,
         materials: Vec<Material>,
+        textures: Vec<Texture>,
+        images: Vec<Image>,
+        samplers: Vec<Sampler>,
         cameras: Vec<Camera>,
         animations: Vec<IgnoredAny>,
         extensions_used: Vec<String>,
@@ -125,10 +128,49 @@ objects! {
     /// Its colors, and how much it is a metal and how rough.
     Metal {
         base_color_factor: Option<[f64; 4]>,
-        base_color_texture: Option<IgnoredAny>,
+        base_color_texture: Option<TextureInfo>,
         metallic_factor: Option<f64>,
         roughness_factor: Option<f64>,
         metallic_roughness_texture: Option<IgnoredAny>,
+    }
+    /// A texture where a material names it.
+    TextureInfo {
+        index: usize,
+        tex_coord: usize,
+        extensions: Extensions,
+    }
+    /// A picture and how it is seen.
+    Texture {
+        sampler: Option<usize>,
+        source: Option<usize>,
+        extensions: Extensions,
+    }
+    /// A picture, at an address or in a view.
+    Image {
+        uri: Option<String>,
+        mime_type: Option<String>,
+        buffer_view: Option<usize>,
+    }
+    /// What is seen between its texels and beyond its borders.
+    Sampler {
+        mag_filter: Option<u32>,
+        wrap_s: Option<u32>,
+        wrap_t: Option<u32>,
+    }
+    /// How much goes through a surface.
+    Transmission {
+        transmission_factor: f64,
+        transmission_texture: Option<IgnoredAny>,
+    }
+    /// The index of refraction.
+    Ior {
+        ior: Option<f64>,
+    }
+    /// What is behind a surface: nothing without a thickness.
+    Volume {
+        thickness_factor: f64,
+        thickness_texture: Option<IgnoredAny>,
+        attenuation_distance: Option<f64>,
     }
     /// A camera, of one kind or the other.
     Camera {
@@ -151,6 +193,12 @@ objects! {
         lights: Option<Lights>,
         #[serde(rename = "KHR_materials_unlit")]
         unlit: Option<IgnoredAny>,
+        #[serde(rename = "KHR_materials_transmission")]
+        transmission: Option<Transmission>,
+        #[serde(rename = "KHR_materials_ior")]
+        ior: Option<Ior>,
+        #[serde(rename = "KHR_materials_volume")]
+        volume: Option<Volume>,
         #[serde(flatten)]
         others: Names,
     }

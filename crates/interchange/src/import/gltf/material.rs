@@ -6,21 +6,41 @@
 
 use scene::format;
 
-use super::document::{Material, Metal};
+use super::buffer::Buffers;
+use super::document::{Document, Extensions, Material, Metal};
+use super::texture;
 use crate::import::mesh::stage::Stage;
 
-/// The index of refraction of what is no metal.
+/// The index of refraction of what is no metal, and does not say.
 const GLAZE: f64 = 1.5;
+
+/// Those that a scene may have.
+const IORS: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
 /// The material; what it asks for and does not get is noted.
 ///
 /// # Errors
-/// A color that is none.
+/// A color that is none, and a texture that is missing or damaged.
 pub(super) fn of(
     written: &Material,
     place: &str,
+    (document, buffers): (&Document, &mut Buffers<'_>),
     stage: &mut Stage,
 ) -> Result<format::Material, String> {
+    let mut material = plain(written, place, stage)?;
+    if let Some(info) = &written.pbr_metallic_roughness.base_color_texture {
+        let place = format!("{place}: baseColorTexture");
+        if let Some(slot) = material.texture_mut() {
+            *slot = texture::of(info, &place, (document, buffers), stage)?;
+        } else {
+            stage.lost.add(None, place, "the texture is left out");
+        }
+    }
+    Ok(material)
+}
+
+/// The material without its texture.
+fn plain(written: &Material, place: &str, stage: &mut Stage) -> Result<format::Material, String> {
     let Metal { base_color_factor, metallic_factor, roughness_factor, .. } =
         &written.pbr_metallic_roughness;
     let [r, g, b, _] = base_color_factor.unwrap_or([1.0; 4]);
@@ -34,14 +54,13 @@ pub(super) fn of(
         stage.lost.add(None, format!("{place}: {keyword}"), what);
     };
     for (there, keyword) in [
-        (&written.pbr_metallic_roughness.base_color_texture, "baseColorTexture"),
         (&written.pbr_metallic_roughness.metallic_roughness_texture, "metallicRoughnessTexture"),
         (&written.normal_texture, "normalTexture"),
         (&written.occlusion_texture, "occlusionTexture"),
         (&written.emissive_texture, "emissiveTexture"),
     ] {
         // Of the unlit model the base color is all.
-        if there.is_some() && (!is_unlit || keyword == "baseColorTexture") {
+        if there.is_some() && !is_unlit {
             lose(keyword, "the texture is left out");
         }
     }
@@ -57,12 +76,29 @@ pub(super) fn of(
     if is_unlit {
         return Ok(format::Material::Constant { color, texture: None });
     }
+    let glass = &written.extensions;
+    let through = glass.transmission.as_ref().map_or(0.0, |glass| glass.transmission_factor);
+    let ior = glass.ior.as_ref().and_then(|glass| glass.ior).unwrap_or(GLAZE);
+    if through != 0.0 {
+        if is_clear(glass, metal, rough) && IORS.contains(&ior) {
+            return Ok(format::Material::Dielectric { ior, tint: color, schlick: true });
+        }
+        let what = "it is opaque: only what has no metal, no roughness, all of its light going \
+                    through and a volume without attenuation is glass";
+        lose("KHR_materials_transmission", what);
+    } else if glass.volume.as_ref().is_some_and(|volume| volume.thickness_factor != 0.0) {
+        lose("KHR_materials_volume", "it is opaque");
+    }
+    let is_glazed = (metal, rough) == (0.0, 0.0) && IORS.contains(&ior);
+    if glass.ior.is_some() && ior != GLAZE && !is_glazed {
+        lose("KHR_materials_ior", "it is left out");
+    }
     match (metal, rough) {
         (1.0, 0.0) => return Ok(format::Material::Mirror { reflectance: color, schlick: true }),
         (0.0, 0.0) => {
             return Ok(format::Material::Glazed {
                 texture: None,
-                ior: GLAZE,
+                ior: if is_glazed { ior } else { GLAZE },
                 schlick: true,
                 diffuse: Some(color),
                 specular: [0.0; 3],
@@ -83,4 +119,17 @@ pub(super) fn of(
         }
     }
     Ok(format::Material::Lambert { diffuse: Some(color), texture: None })
+}
+
+/// Whether a surface is the border of clear glass: without a volume it would be a
+/// sheet of no thickness, which refracts nothing.
+fn is_clear(written: &Extensions, metal: f64, rough: f64) -> bool {
+    let is_whole = written.transmission.as_ref().is_some_and(|glass| {
+        glass.transmission_factor == 1.0 && glass.transmission_texture.is_none()
+    });
+    let is_filled = written.volume.as_ref().is_some_and(|volume| {
+        let is_clear = volume.attenuation_distance.is_none();
+        volume.thickness_factor > 0.0 && volume.thickness_texture.is_none() && is_clear
+    });
+    is_whole && is_filled && metal == 0.0 && rough == 0.0
 }

@@ -11,6 +11,7 @@ mod document;
 mod material;
 mod node;
 mod primitive;
+mod texture;
 mod view;
 
 #[cfg(test)]
@@ -30,7 +31,14 @@ use node::Placed;
 use primitive::Parts;
 
 /// Extensions that are read.
-const KNOWN: [&str; 3] = ["KHR_lights_punctual", "KHR_materials_unlit", "KHR_mesh_quantization"];
+const KNOWN: [&str; 6] = [
+    "KHR_lights_punctual",
+    "KHR_materials_ior",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+];
 
 /// The most materials that are read.
 const MOST_MATERIALS: usize = 10_000;
@@ -123,11 +131,15 @@ fn build(
             .chosen
             .push(format!("the view is that of {which}; its znear and zfar cut nothing off"));
     }
-    dress(&document, parts, stage)
+    dress((&document, &mut buffers), parts, stage)
 }
 
 /// Gives each mesh its material.
-fn dress(document: &Document, parts: Parts, stage: &mut Stage) -> Result<(), Unreadable> {
+fn dress(
+    (document, buffers): (&Document, &mut Buffers<'_>),
+    parts: Parts,
+    stage: &mut Stage,
+) -> Result<(), Unreadable> {
     let materials = &document.materials;
     let mut names: BTreeMap<Option<usize>, String> = BTreeMap::new();
     let mut is_culled = false;
@@ -153,7 +165,7 @@ fn dress(document: &Document, parts: Parts, stage: &mut Stage) -> Result<(), Unr
                     .ok_or_else(|| unreadable_at_all(none("materials", materials.len(), number)))?;
                 let place = format!("materials[{number}]");
                 is_culled |= !found.double_sided;
-                let material = material::of(found, &place, stage)
+                let material = material::of(found, &place, (document, buffers), stage)
                     .map_err(|why| unreadable_at_all(format!("{place}: {why}")))?;
                 (found.name.clone().unwrap_or_else(|| format!("material {number}")), material)
             }

@@ -3,6 +3,7 @@
 
 pub(super) mod names;
 pub(super) mod part;
+pub(super) mod pictures;
 pub(super) mod shot;
 pub(super) mod stage;
 pub(super) mod tally;

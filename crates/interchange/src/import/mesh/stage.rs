@@ -12,6 +12,7 @@ use tracer::glam::DVec3;
 
 use super::names::Names;
 use super::part::Part;
+use super::pictures::{Pictures, bare};
 use super::shot::Shot;
 use super::tally::Tally;
 use crate::import::{Imported, Unreadable, Wishes};
@@ -26,6 +27,8 @@ pub(in crate::import) struct Stage {
     pub(in crate::import) parts: Vec<(Part, Option<String>)>,
     /// Materials by name.
     pub(in crate::import) materials: std::collections::BTreeMap<String, Material>,
+    /// What they show.
+    pub(in crate::import) pictures: Pictures,
     /// The camera.
     pub(in crate::import) shot: Option<Shot>,
     /// The lights.
@@ -78,8 +81,9 @@ impl Stage {
             self.lights = headlight(&scene.camera, full);
         }
         scene.lights = std::mem::take(&mut self.lights);
+        self.strip();
         let mut names = Names::of(source);
-        let mut files = std::collections::BTreeMap::new();
+        let mut files = self.pictures.into_map();
         for (part, material) in self.parts {
             let file = names.file(material.as_deref());
             let Some(text) = part.obj() else {
@@ -91,6 +95,26 @@ impl Stage {
         }
         scene.materials = self.materials;
         Ok(Imported { scene, files, lost: self.lost.into_lost(), chosen: self.chosen })
+    }
+
+    /// Takes textures off what has no coordinates for them.
+    fn strip(&mut self) {
+        for (part, name) in &mut self.parts {
+            let has_uvs = part.uv_faces.len() == part.faces.len();
+            let Some(textured) = name.as_ref().filter(|_| !has_uvs) else { continue };
+            let Some(bare) = self.materials.get(textured).and_then(bare) else { continue };
+            let what = "faces without texture coordinates are shown without its texture";
+            self.lost.add(None, format!("material \"{textured}\""), what);
+            let mut plain = format!("{textured} without texture");
+            while self.materials.get(&plain).is_some_and(|other| *other != bare) {
+                plain.push('+');
+            }
+            self.materials.insert(plain.clone(), bare);
+            *name = Some(plain);
+        }
+        // Nobody has those any more whose faces are all without.
+        let is_used = |name: &String| self.parts.iter().any(|(_, of)| of.as_ref() == Some(name));
+        self.materials.retain(|name, material| material.texture().is_none() || is_used(name));
     }
 
     fn image(&mut self, wishes: &Wishes) -> (u32, u32) {

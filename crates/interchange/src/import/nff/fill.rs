@@ -12,22 +12,30 @@ struct Fill {
     ks: f64,
     shine: f64,
     t: f64,
+    ior: f64,
 }
 
 impl Fill {
-    /// The part of it that is lit: Lambert of `Kd` times the color, and a white
-    /// highlight of `Ks` about the half vector, with the exponent `Shine`.
-    fn lit(&self) -> Material {
+    /// Lambert of `Kd` times the color, a white highlight of `Ks` about the half
+    /// vector with the exponent `Shine`, `Ks` of what is mirrored and `T` of what
+    /// shines through.
+    fn material(&self) -> Material {
         let diffuse = Some(self.color.map(|c| c * self.kd));
-        if self.ks > 0.0 && self.shine > 0.0 {
-            Material::BlinnPhong {
-                diffuse,
-                specular: [self.ks; 3],
-                exponent: self.shine,
-                texture: None,
-            }
-        } else {
-            Material::Lambert { diffuse, texture: None }
+        if self.ks <= 0.0 && self.t <= 0.0 {
+            return Material::Lambert { diffuse, texture: None };
+        }
+        let has_highlight = self.ks > 0.0 && self.shine > 0.0;
+        let (specular, exponent) = if has_highlight { (self.ks, self.shine) } else { (0.0, 1.0) };
+        Material::Whitted {
+            diffuse,
+            specular: [specular; 3],
+            exponent,
+            reflect: [self.ks; 3],
+            transmit: [self.t; 3],
+            // Of what nothing goes through it has no bearing, and is often 0.
+            ior: if self.t > 0.0 { self.ior } else { 1.0 },
+            schlick: false,
+            texture: None,
         }
     }
 }
@@ -35,8 +43,8 @@ impl Fill {
 impl Reader<'_> {
     /// What is everything made of that follows. Equal fills are one material.
     pub(super) fn fill(&mut self, word: Word<'_>) -> Option<()> {
-        let [red, green, blue, kd, ks, shine, t, _ior] = self.numbers(word)?;
-        let fill = Fill { color: [red, green, blue], kd, ks, shine, t };
+        let [red, green, blue, kd, ks, shine, t, ior] = self.numbers(word)?;
+        let fill = Fill { color: [red, green, blue], kd, ks, shine, t, ior };
         let shares = [("Kd", kd), ("Ks", ks), ("T", t)];
         for (name, share) in shares {
             if share < 0.0 {
@@ -44,19 +52,23 @@ impl Reader<'_> {
                 self.unreadable(word.at, message);
             }
         }
-        if fill.ks > 0.0 {
-            self.lost(word, format!("its mirror, Ks = {ks:?}, is left out: its highlight stays"));
-            if fill.shine <= 0.0 {
+        if ks > 0.0 {
+            if shine <= 0.0 {
                 self.lost(word, format!("a highlight of the exponent {shine:?} is left out"));
             }
             self.report.chose(
                 "highlights are white, of the strength Ks, about the half vector (Blinn-Phong)",
             );
         }
-        if fill.t > 0.0 {
-            self.lost(word, format!("what shines through, T = {t:?}, is left out"));
+        if ks > 0.0 || t > 0.0 {
+            let bounces = self.sense.blank().bounces;
+            self.report.chose(format!(
+                "Ks and T are the shares of what the mirrored and the refracted ray see, at every \
+                 angle, as in Whitted's paper; rays are followed over {bounces} surfaces, as the \
+                 format says no depth"
+            ));
         }
-        let material = fill.lit();
+        let material = fill.material();
         let problems = self.sense.of_material(&material);
         if !self.judge(word, problems) {
             return Some(());

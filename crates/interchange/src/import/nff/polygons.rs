@@ -9,7 +9,10 @@ use tracer::glam::DVec3;
 use super::reader::Reader;
 use super::words::Word;
 use crate::import::files::Files;
-use crate::import::polygon::{MOST_CORNERS, NotCut, cut};
+use crate::polygon::{Cutter, Problem, has_area};
+
+/// The most corners of a polygon: every edge is held against every other.
+const MOST_CORNERS: usize = 10_000;
 
 /// The most triangles of a fill that stand in the scene themselves.
 const MOST_INLINE: usize = 32;
@@ -28,6 +31,7 @@ struct Gathered {
 pub(super) struct Polygons {
     /// What the names of meshes begin with.
     stem: String,
+    cutter: Cutter,
     gathered: BTreeMap<(Option<String>, bool), Gathered>,
 }
 
@@ -39,7 +43,7 @@ impl Polygons {
         let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
         let stem: String = stem.chars().map(plain).collect();
         let stem = if stem.is_empty() { "scene".to_owned() } else { stem };
-        Self { stem, gathered: BTreeMap::new() }
+        Self { stem, cutter: Cutter::default(), gathered: BTreeMap::new() }
     }
 
     /// All of them as objects, fill by fill; meshes are put into `files`.
@@ -138,13 +142,13 @@ impl Reader<'_> {
         self.report.chose(
             "polygons are seen from both sides; the format lets a renderer show their fronts alone",
         );
-        let triangles = match cut(corners) {
+        if !has_area(corners) {
+            self.report.chose("polygons that cover nothing are left out, as nobody sees them");
+            return;
+        }
+        let triangles = match self.polygons.cutter.cut(corners) {
             Ok(triangles) => triangles,
-            Err(NotCut::NoArea) => {
-                self.report.chose("polygons that cover nothing are left out, as nobody sees them");
-                return;
-            }
-            Err(NotCut::Crosses(a, b)) => {
+            Err(Problem::Crossing(a, b)) => {
                 let message = format!(
                     "{}: expected a border that does not cross itself, found that the edges from \
                      corner {} and from corner {} cross",
@@ -155,11 +159,11 @@ impl Reader<'_> {
                 self.unreadable(word.at, message);
                 return;
             }
-            Err(NotCut::Tangled) => {
+            Err(problem) => {
                 let message = format!(
-                    "{}: expected a border with an inside, found one that touches itself in such a \
-                     way that it has none",
-                    word.text
+                    "{}: expected a border with an inside, found a polygon that {}",
+                    word.text,
+                    problem.text()
                 );
                 self.unreadable(word.at, message);
                 return;

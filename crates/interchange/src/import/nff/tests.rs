@@ -126,17 +126,44 @@ fn what_is_not_known_is_lost() {
     loses("c 0 0 0 1 0 0 1 0.5", &["c: a cone that is cut off at the top"]);
     loses("b 0 0 0", &["9:1: b: stands twice"]);
     loses("v\nangle 30", &["9:1: v: stands twice"]);
-    let imported = loses(
-        "f 1 0.5 0 0.5 0.25 8 0.125 1.5\ns 0 0 0 1",
-        &[
-            "9:1: f: its mirror, Ks = 0.25, is left out",
-            "9:1: f: what shines through, T = 0.125, is left out",
-        ],
+    loses("f 1 1 1 1 1 0 0 1", &["a highlight of the exponent 0"]);
+}
+
+#[test]
+fn fills_mirror_and_let_through_their_shares() {
+    #[track_caller]
+    fn check(numbers: &str, specular: f64, exponent: f64, (ks, t, ior): (f64, f64, f64)) {
+        let imported = loses(&format!("f 1 0.5 0 {numbers}\ns 0 0 0 1"), &[]);
+        let whitted = Material::Whitted {
+            diffuse: Some([0.5, 0.25, 0.0]),
+            specular: [specular; 3],
+            exponent,
+            reflect: [ks; 3],
+            transmit: [t; 3],
+            ior,
+            schlick: false,
+            texture: None,
+        };
+        assert_eq!(imported.scene.materials["f1"], whitted, "{numbers}");
+        let said = imported.chosen.join("; ");
+        assert!(said.contains("rays are followed over 5 surfaces"), "{said}");
+        assert_eq!(imported.scene.bounces, 5);
+        imported.text("my.nff").unwrap();
+    }
+    check("0.5 0.25 8 0.125 1.5", 0.25, 8.0, (0.25, 0.125, 1.5));
+    check("0.5 0 0 0.125 1.5", 0.0, 1.0, (0.0, 0.125, 1.5));
+    // The index has no bearing where nothing goes through, and is often 0.
+    check("0.5 0.25 8 0 0", 0.25, 8.0, (0.25, 0.0, 1.0));
+    refuses("f 1 1 1 1 0 0 0.5 0", &["9:1: f: `ior`"]);
+    refuses("f 1 1 1 1 1.5 3 0 1", &["9:1: f: `reflect`"]);
+    refuses("f 1 1 1 1 0 3 -0.5 1", &["expected T of 0 or more"]);
+    // What says neither stays as it is.
+    let plain = loses("f 1 1 1 0.5 0 9 0 0\ns 0 0 0 1", &[]);
+    assert_eq!(
+        plain.scene.materials["f1"],
+        Material::Lambert { diffuse: Some([0.5; 3]), texture: None }
     );
-    let (diffuse, specular) = (Some([0.5, 0.25, 0.0]), [0.25; 3]);
-    let expected = Material::BlinnPhong { diffuse, specular, exponent: 8.0, texture: None };
-    assert_eq!(imported.scene.materials["f1"], expected);
-    loses("f 1 1 1 1 1 0 0 1", &["its mirror", "a highlight of the exponent 0"]);
+    assert!(!plain.chosen.join("; ").contains("Whitted"));
 }
 
 #[test]

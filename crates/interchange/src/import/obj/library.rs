@@ -22,6 +22,11 @@ impl<'a> Library<'a> {
         Self { assets, read: BTreeSet::new(), materials: BTreeMap::new() }
     }
 
+    /// Where files come from.
+    pub(super) fn assets(&self) -> &'a dyn Assets {
+        self.assets
+    }
+
     /// A material, if a library has it.
     pub(super) fn find(&self, name: &str) -> Option<&Definition> {
         self.materials.get(name)

@@ -8,17 +8,88 @@
 //! Source: "MTL material format (Lightwave, OBJ)", Alias|Wavefront, Inc., 1995,
 //! section "Illumination models".
 
-use scene::format::{Material, Triple};
+use scene::Assets;
+use scene::format::{Material, TexelEncoding, TexelFilter, Texture, Triple, Wrap};
 
+use super::map::Map;
 use super::mtl::Definition;
+use crate::import::Unreadable;
+use crate::import::files::fetch;
+use crate::import::mesh::pictures::Unseen;
 use crate::import::mesh::stage::Stage;
+use crate::import::mesh::unreadable;
 
 /// The smallest exponent that there is; a highlight of it is as bright
 /// everywhere, as one of 0 is.
 const EVERYWHERE: f64 = 1e-60;
 
 /// The material; what it asks for and does not get is noted.
-pub(super) fn of(name: &str, written: &Definition, stage: &mut Stage) -> Material {
+///
+/// # Errors
+/// A texture's file that is missing or damaged.
+pub(super) fn of(
+    name: &str,
+    written: &Definition,
+    assets: &dyn Assets,
+    stage: &mut Stage,
+) -> Result<Material, Unreadable> {
+    let mut material = lit(name, written, stage);
+    if let Some(map) = &written.map_kd {
+        let texture = texture(name, written, map, assets, stage)?;
+        if let Some(slot) = material.texture_mut() {
+            *slot = texture;
+        }
+    }
+    Ok(material)
+}
+
+/// The texture of its diffuse color; `None` for one that is lost.
+fn texture(
+    name: &str,
+    written: &Definition,
+    map: &Map,
+    assets: &dyn Assets,
+    stage: &mut Stage,
+) -> Result<Option<Texture>, Unreadable> {
+    let line = written.lines.get("map_Kd").copied().unwrap_or_default();
+    let of = format!("of material \"{name}\" ({}:{line})", written.file);
+    for (option, what) in &map.lost {
+        let element = format!("map_Kd {option} {of}");
+        stage.lost.add(Some(written.place), element, format!("{what} is left out"));
+    }
+    // Beside the library, as its own name is beside the OBJ file.
+    let folder = written.file.rsplit_once('/').map_or(String::new(), |(f, _)| format!("{f}/"));
+    let path = format!("{folder}{}", map.file);
+    match stage.pictures.name(&path, || fetch(&path, assets)) {
+        Ok(file) => {
+            let wrap = if map.is_clamped { Wrap::Clamp } else { Wrap::Repeat };
+            let once = if map.is_clamped { ", and with -clamp its border goes on" } else { "" };
+            let said = format!(
+                "textures multiply Kd, are stored by the sRGB curve and smoothed; -s multiplies \
+                 their coordinates and -o is added to that{once}"
+            );
+            if !stage.chosen.contains(&said) {
+                stage.chosen.push(said);
+            }
+            let (scale, offset) = (map.scale, map.offset);
+            let (filter, encoding) = (TexelFilter::Bilinear, TexelEncoding::Srgb);
+            Ok(Some(Texture::Image { file, filter, wrap, encoding, scale, offset }))
+        }
+        Err(Unseen::Unknown(why)) => {
+            let what = format!("the texture is left out, Kd stays: \"{}\" {why}", map.file);
+            stage.lost.add(Some(written.place), format!("map_Kd {of}"), what);
+            Ok(None)
+        }
+        Err(Unseen::Broken(why)) => {
+            let message = format!("map_Kd {of}: the texture \"{}\" {why}", map.file);
+            let help = "put a PNG file there, beside the library, or remove this line";
+            Err(Unreadable { help: Some(help.to_owned()), ..unreadable(written.place, message) })
+        }
+    }
+}
+
+/// The material without its texture.
+fn lit(name: &str, written: &Definition, stage: &mut Stage) -> Material {
     let lost = &mut stage.lost;
     let mut lose = |line: Option<usize>, keyword: &str, what: &str| {
         let line = line.map_or(String::new(), |line| format!(":{line}"));
@@ -42,9 +113,6 @@ pub(super) fn of(name: &str, written: &Definition, stage: &mut Stage) -> Materia
     }
     if is_colored(written.ke) {
         lose(line("Ke"), "Ke", "it emits no light");
-    }
-    if written.map_kd.is_some() {
-        lose(line("map_Kd"), "map_Kd", "the texture is left out, Kd stays");
     }
     for (line, keyword, what) in &written.others {
         lose(Some(*line), keyword, &format!("{what} is left out"));

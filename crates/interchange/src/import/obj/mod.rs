@@ -7,6 +7,7 @@
 mod corner;
 mod geometry;
 mod library;
+mod map;
 mod material;
 mod mtl;
 
@@ -147,6 +148,7 @@ impl Reader<'_> {
                 bent.count, bent.first.0
             ));
         }
+        let mut problems = Vec::new();
         for (part, number) in self.geometry.into_parts() {
             let used = number.and_then(|number| self.materials.get(number));
             let Some((name, place)) = used else {
@@ -155,14 +157,22 @@ impl Reader<'_> {
             };
             let known = self.library.find(name);
             if let Some(definition) = known {
-                let material = material::of(name, definition, &mut self.stage);
-                self.stage.materials.insert(name.clone(), material);
+                if !self.stage.materials.contains_key(name) {
+                    let assets = self.library.assets();
+                    match material::of(name, definition, assets, &mut self.stage) {
+                        Ok(material) => _ = self.stage.materials.insert(name.clone(), material),
+                        Err(problem) => problems.push(problem),
+                    }
+                }
             } else {
                 let element = format!("usemtl {name}");
                 let what = "no library has it: its faces are of the default material";
                 self.stage.lost.add(Some(*place), element, what);
             }
             self.stage.parts.push((part, known.map(|_| name.clone())));
+        }
+        if !problems.is_empty() {
+            return Err(problems);
         }
         self.stage.imported(source, wishes)
     }

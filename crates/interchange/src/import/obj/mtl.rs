@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use scene::format::Triple;
 
+use super::map::Map;
 use crate::import::Unreadable;
 use crate::import::mesh::unreadable;
 use crate::import::mesh::words::{MOST_WORDS, Place, Word, Words};
@@ -29,7 +30,7 @@ pub(super) struct Definition {
     /// The model's number.
     pub(super) illum: Option<u32>,
     /// The texture of the diffuse color.
-    pub(super) map_kd: Option<String>,
+    pub(super) map_kd: Option<Map>,
     /// The lines of what is said, by keyword.
     pub(super) lines: BTreeMap<&'static str, usize>,
     /// What else is said: the line, the statement's keyword, what it is.
@@ -73,7 +74,7 @@ pub(super) fn read(
         }
         let said = match &mut current {
             Some(_) if statement.len() > MOST_WORDS => Err("expected fewer words".to_owned()),
-            Some((_, definition)) => definition.say(keyword, given),
+            Some((_, definition)) => definition.say(&words, keyword, given),
             None => Err(format!("expected `newmtl` before `{}`", keyword.shown())),
         };
         if let Err(why) = said {
@@ -85,7 +86,12 @@ pub(super) fn read(
 }
 
 impl Definition {
-    fn say(&mut self, keyword: &Word<'_>, given: &[Word<'_>]) -> Result<(), String> {
+    fn say<'a>(
+        &mut self,
+        words: &Words<'a>,
+        keyword: &Word<'a>,
+        given: &[Word<'a>],
+    ) -> Result<(), String> {
         let line = keyword.place.0;
         let lower = keyword.text.to_ascii_lowercase();
         let colors: [(&[u8], &'static str, &mut Option<Triple>); 5] = [
@@ -131,12 +137,11 @@ impl Definition {
                 self.lines.insert("illum", line);
             }
             b"map_kd" => {
-                let last = given.last().ok_or_else(|| expected("the name of a file", given))?;
-                self.map_kd = Some(last.shown());
+                self.map_kd = Some(Map::of(given, |file| words.text(file))?);
                 self.lines.insert("map_Kd", line);
             }
-            // How sharp reflections of an environment are, and whether textures
-            // are smoothed: there are none.
+            // How sharp reflections of an environment are, of which there is none,
+            // and whether textures are smoothed beyond one pixel.
             b"sharpness" | b"map_aat" => {}
             _ => self.others.push((line, keyword.shown(), other(&lower))),
         }

@@ -2,6 +2,8 @@
 
 use scene::format::{Material, Object};
 
+mod textures;
+
 use super::material::lacks;
 use super::*;
 use crate::import::tests::{TETRAHEDRON, check_refused, lost, picture};
@@ -182,8 +184,6 @@ fn materials_are_what_their_model_says() {
     check_material("Kd 1\nKa 1 0 1", &white(), &said);
     let said = of("Tr of material \"m\" (lib.mtl:3): it is not transparent");
     check_material("Kd 1\nTr 0.25", &white(), &said);
-    let said = of("map_Kd of material \"m\" (lib.mtl:3): the texture is left out, Kd stays");
-    check_material("Kd 1\nmap_Kd -o 1 1 1 a.png", &white(), &said);
     let said = of("bump of material \"m\" (lib.mtl:3): a surface's relief is left out");
     check_material("Kd 1\nbump b.png", &white(), &said);
     let said =
@@ -288,4 +288,11 @@ fn broken_libraries() {
     check("newmtl a\nd 2", "expected a number from 0 to 1, found 2");
     check("newmtl a\nillum -1", "expected a whole number, found \"-1\"");
     check("newmtl a\nmap_Kd", "expected the name of a file");
+    check("newmtl a\nmap_Kd -clamp on", "expected the name of a file, found none");
+    check("newmtl a\nmap_Kd -s a.png", "-s: expected one to three numbers, found none");
+    check("newmtl a\nmap_Kd -clamp maybe a.png", "-clamp: expected on or off, found \"maybe\"");
+    check("newmtl a\nmap_Kd -mm 0", "-mm: expected two numbers");
+    check("newmtl a\nmap_Kd -mm 0 x a.png", "-mm: expected a number, found \"x\"");
+    check("newmtl a\nmap_Kd -boost", "-boost: expected a word after it, found none");
+    check("newmtl a\nmap_Kd -x 1 a.png", "expected an option such as -s, -o or -clamp");
 }

@@ -22,11 +22,14 @@ fn what_is_not_known_is_lost_by_name_and_place() {
     loses("<light type=\"AmbientLight\"/>", &["light: only point lights are known"]);
     loses("<light><shadows>no</shadows></light>", &["shadows: is not known inside light"]);
     loses("<shader type=\"Normal\"/>", &["shader: has no name"]);
-    loses("<shader name=\"a\" type=\"Glass\"/>", &["shader: the type Glass is not known"]);
+    loses(
+        "<shader name=\"a\" type=\"CookTorrance\"/>",
+        &["shader: the type CookTorrance is not known"],
+    );
     let again = "<shader name=\"a\" type=\"Normal\"/>".repeat(2);
     loses(&again, &["\"a\" is the name of a shader before it"]);
-    let mirror = "<shader name=\"a\" type=\"Phong\"><mirrorCoefficient>.3 .3 .3</mirrorCoefficient></shader>";
-    loses(mirror, &["mirrorCoefficient: is not known inside shader"]);
+    let woven = "<shader name=\"a\" type=\"Phong\"><texture type=\"RepeatTexture\"/></shader>";
+    loses(woven, &["texture: is not known inside shader"]);
     loses("<x:light xmlns:x=\"urn:x\"/>", &["light: is not known inside scene"]);
     let imported = with(&"<a/>".repeat(1_500)).unwrap();
     assert_eq!(imported.lost.len(), 1_001);

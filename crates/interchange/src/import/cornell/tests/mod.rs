@@ -2,6 +2,7 @@
 
 mod files;
 mod meaning;
+mod specular;
 mod ugly;
 
 use scene::NoAssets;

@@ -172,22 +172,70 @@ fn materials_are_their_base_colors() {
         "",
     );
     let all = json!({
-        "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}},
+        "pbrMetallicRoughness": {"metallicFactor": 0},
         "normalTexture": {}, "occlusionTexture": {}, "emissiveTexture": {},
         "emissiveFactor": [1, 0, 0], "alphaMode": "BLEND",
-        "extensions": {"KHR_materials_ior": {}},
+        "extensions": {"KHR_materials_ior": {"ior": 1.25}, "KHR_materials_sheen": {}},
     });
     let what = [
-        "baseColorTexture: the texture is left out",
         "normalTexture: the texture is left out",
         "occlusionTexture: the texture is left out",
         "emissiveTexture: the texture is left out",
         "emissiveFactor: it emits no light",
         "alphaMode: it is opaque",
-        "KHR_materials_ior: this extension is not read",
+        "KHR_materials_sheen: this extension is not read",
+        "KHR_materials_ior: it is left out",
     ];
     let lost = what.map(|what| format!("materials[0]: {what}\n")).concat();
     check(&all, &white(), &lost);
+}
+
+#[test]
+fn clear_glass_is_glass_and_other_is_lost() {
+    let with = |change: fn(&mut Value)| {
+        let mut material = json!({
+            "pbrMetallicRoughness":
+                {"metallicFactor": 0, "roughnessFactor": 0, "baseColorFactor": [1, 0.5, 0.25, 1]},
+            "extensions": {
+                "KHR_materials_transmission": {"transmissionFactor": 1},
+                "KHR_materials_volume": {"thicknessFactor": 0.5},
+                "KHR_materials_ior": {"ior": 1.25},
+            },
+        });
+        change(&mut material);
+        material
+    };
+    let glass = |ior| Material::Dielectric { ior, tint: [1.0, 0.5, 0.25], schlick: true };
+    check_unseen(&with(|_| ()), &glass(1.25), "");
+    let without_index = with(|all| all["extensions"]["KHR_materials_ior"] = json!({}));
+    check_unseen(&without_index, &glass(1.5), "");
+    let glazed = |ior| Material::Glazed {
+        texture: None,
+        ior,
+        schlick: true,
+        diffuse: Some([1.0, 0.5, 0.25]),
+        specular: [0.0; 3],
+        exponent: 1.0,
+    };
+    let lost = "materials[0]: KHR_materials_transmission: it is opaque: only what has no metal, no \
+                roughness, all of its light going through and a volume without attenuation is glass\n";
+    let lost_too: [fn(&mut Value); 4] = [
+        |all| all["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.5.into(),
+        |all| all["extensions"]["KHR_materials_transmission"]["transmissionTexture"] = json!({}),
+        |all| all["extensions"]["KHR_materials_volume"]["attenuationDistance"] = 1.into(),
+        |all| all["extensions"]["KHR_materials_volume"]["thicknessFactor"] = 0.into(),
+    ];
+    for change in lost_too {
+        check(&with(change), &glazed(1.25), lost);
+    }
+    let no_index = |all: &mut Value| {
+        all["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.5.into();
+        all["extensions"]["KHR_materials_ior"]["ior"] = 0.into();
+    };
+    let both = format!("{lost}materials[0]: KHR_materials_ior: it is left out\n");
+    check(&with(no_index), &glazed(1.5), &both);
+    let closed = with(|all| all["extensions"]["KHR_materials_transmission"] = json!({}));
+    check(&closed, &glazed(1.25), "materials[0]: KHR_materials_volume: it is opaque\n");
 }
 
 #[test]

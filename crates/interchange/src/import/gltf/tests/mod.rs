@@ -2,6 +2,7 @@
 
 mod hostile;
 mod looks;
+mod textures;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
