@@ -16,3 +16,4 @@ pub mod import;
 pub mod polygon;
 
 pub use feature::Feature;
+pub use scene::visible;

@@ -70,9 +70,9 @@ enum Verdict {
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let places = places(args)?;
     let wishes = Wishes { camera: args.camera, image: args.image, shading: args.shading };
-    let mut worst = Verdict::Done;
+    let (mut worst, mut ours) = (Verdict::Done, BTreeSet::new());
     for (file, place) in args.files.iter().zip(&places) {
-        worst = worst.max(one(here, args, &wishes, file, place.as_ref()));
+        worst = worst.max(one(here, (args, &wishes), (file, place.as_ref()), &mut ours));
     }
     Ok(match worst {
         Verdict::Done => Answer::Yes,
@@ -113,8 +113,13 @@ fn places(args: &Args) -> Result<Vec<Option<Place>>, CannotAsk> {
 }
 
 /// Imports one file and says how it went.
-fn one(here: &Here, args: &Args, wishes: &Wishes, file: &Path, place: Option<&Place>) -> Verdict {
-    let label = file.display().to_string();
+fn one(
+    here: &Here,
+    (args, wishes): (&Args, &Wishes),
+    (file, place): (&Path, Option<&Place>),
+    ours: &mut BTreeSet<PathBuf>,
+) -> Verdict {
+    let label = interchange::visible(&file.display().to_string());
     let (mut imported, text) = match read(args, wishes, file, place) {
         Ok(found) => found,
         Err(problems) => {
@@ -124,10 +129,12 @@ fn one(here: &Here, args: &Args, wishes: &Wishes, file: &Path, place: Option<&Pl
         }
     };
     for chosen in &imported.chosen {
-        println!("{label}: chosen: {chosen}");
+        println!("{label}: chosen: {}", interchange::visible(chosen));
     }
     for lost in &imported.lost {
-        println!("{}{}: {}", at(&label, lost.place), lost.element, lost.what);
+        let (element, what) =
+            (interchange::visible(&lost.element), interchange::visible(&lost.what));
+        println!("{}{element}: {what}", at(&label, lost.place));
     }
     let lost = imported.lost.len();
     if lost > 0 && !args.lossy {
@@ -139,7 +146,7 @@ fn one(here: &Here, args: &Args, wishes: &Wishes, file: &Path, place: Option<&Pl
         if lost > 0 { format!(", without {}", counted(lost, "thing")) } else { String::new() };
     if let Some(place) = place {
         let files = std::mem::take(&mut imported.files);
-        if let Err(CannotAsk(why)) = place.write(here, &text, &files, args.force) {
+        if let Err(CannotAsk(why)) = place.write(here, &text, &files, (args.force, ours)) {
             println!("not written {label}: {why}");
             return Verdict::Unreadable;
         }
@@ -196,7 +203,7 @@ fn read(
 
 fn print_problems(label: &str, problems: &[Unreadable]) {
     for problem in problems {
-        println!("{}{}", at(label, problem.place), problem.message);
+        println!("{}{}", at(label, problem.place), interchange::visible(&problem.message));
         if let Some(help) = problem.help.as_ref().filter(|help| !help.is_empty()) {
             println!("  = help: {help}");
         }

@@ -173,6 +173,10 @@ fn examine(file: &AdapterFile, command: &[Word], version: &[Word], refuse: &mut 
     let at = |field: &'static str| vec![Step::from(field)];
     if file.name.trim().is_empty() {
         refuse(at("name"), "expected a name, found none".to_owned(), None);
+    } else if file.name.chars().any(scene::is_invisible) {
+        let found = scene::visible(&file.name);
+        let message = format!("expected a name of letters that are seen, found \"{found}\"");
+        refuse(at("name"), message, None);
     }
     let is_complete = command.len() == file.command.len();
     if file.command.is_empty() {
@@ -211,7 +215,7 @@ fn examine(file: &AdapterFile, command: &[Word], version: &[Word], refuse: &mut 
     range("timeout_s", file.timeout_s, 0.1, MAX_TIMEOUT_S);
     range("tolerance", file.tolerance, 0.0, LOOSEST);
     range("edges", file.edges, 0.0, 1.0);
-    range("edge_reach", file.edge_reach, 1e-6, 0.5);
+    range("edge_reach", file.edge_reach, 1e-6, 0.1);
     for name in file.env.keys() {
         if name.is_empty() || name.contains(['=', '\0']) {
             let message = format!("expected the name of a variable, found \"{name}\"");

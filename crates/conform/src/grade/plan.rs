@@ -97,6 +97,10 @@ impl Judge<'_> {
         if rubric.parts.is_empty() {
             self.report(&["parts".into()], "expected at least one part, found none".into(), None);
         }
+        if !rubric.parts.is_empty() && rubric.parts.iter().all(|part| part.points == 0.0) {
+            let message = "expected a part that gives points, found none".to_owned();
+            self.report(&["parts".into()], message, None);
+        }
         self.names("parts", rubric.parts.iter().map(|part| part.name.as_str()));
         self.names("penalties", rubric.penalties.iter().map(|penalty| penalty.name.as_str()));
         let parts: Vec<_> = rubric

@@ -37,6 +37,9 @@ impl Level {
     }
 }
 
+/// The largest code of 8 bits. A coarser file would be right about anything.
+const LEAST_CODES: u16 = 255;
+
 /// A picture whose channels are known up to the steps of its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Levels {
@@ -61,6 +64,11 @@ impl Levels {
             return Err(format!(
                 "has {count} px that are no finite numbers, the first ({x}, {y}) of the file: {pixel:?}"
             ));
+        }
+        if let Depth::Codes { max } = stored.depth()
+            && max < LEAST_CODES
+        {
+            return Err(format!("has codes up to {max}, expected {LEAST_CODES} or more: 8 bits"));
         }
         let rows = stored.values().chunks_exact(width);
         let values: Vec<[f64; 3]> = match meaning.rows {
@@ -123,7 +131,9 @@ impl Levels {
                 for i in 0..n {
                     let at = (y * n + j) as usize * wide + (x * n + i) as usize;
                     for (sum, level) in sum.iter_mut().zip(&self.pixels[at]) {
-                        sum.low += level.low;
+                        // A pixel that is clamped at black is not below it: the others
+                        // would be free to be anything.
+                        sum.low += level.low.max(0.0);
                         sum.high += level.high;
                     }
                 }
@@ -232,6 +242,17 @@ mod tests {
         assert!((255.0 * first[0].low - 3.0).abs() < 1e-12, "{first:?}");
         assert!((255.0 * first[2].high - 4.0).abs() < 1e-12, "{first:?}");
         assert_eq!(levels.clone().gathered(1), levels);
+    }
+
+    #[test]
+    fn nothing_passes_by_saying_nothing() {
+        let file = b"P3\n2 2\n255\n0 0 0 255 255 255\n255 255 255 0 0 0\n";
+        let levels = Levels::of(&Stored::read(file).unwrap(), Meaning::default()).unwrap();
+        let mean = levels.gathered(2).pixels()[0][0];
+        assert!(mean.low > 0.49 && mean.high == f64::INFINITY, "{mean:?}");
+        let coarse = Stored::read(b"P3\n1 1\n1\n0 0 0\n").unwrap();
+        let why = Levels::of(&coarse, Meaning::default()).unwrap_err();
+        assert_eq!(why, "has codes up to 1, expected 255 or more: 8 bits");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `Place`: where an imported scene and its files are written, whole or not at
 //! all, and never outside the scene's folder.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 
 use harness::store;
@@ -54,7 +54,8 @@ impl Place {
     /// Writes the scene and its files. Files that are there and the same stay.
     ///
     /// # Errors
-    /// A file that is there and differs, unless `force`; a place outside the
+    /// A file that is there and differs, unless `force` and it is none of `ours`,
+    /// which this command has written; a place outside the
     /// scene's folder or among the suite's own files; and whatever keeps a file
     /// from being written. Everything is then as it was.
     pub(super) fn write(
@@ -62,18 +63,19 @@ impl Place {
         here: &Here,
         text: &str,
         files: &BTreeMap<String, Vec<u8>>,
-        force: bool,
+        (force, ours): (bool, &mut BTreeSet<PathBuf>),
     ) -> Result<(), CannotAsk> {
         let folder = self.ron.parent().unwrap_or(Path::new("."));
         let beside = files.iter().map(|(name, bytes)| (folder.join(name), bytes.as_slice()));
         let scene = std::iter::once((self.ron.clone(), text.as_bytes()));
-        let mut to_write = Vec::new();
+        let (mut to_write, mut named) = (Vec::new(), Vec::new());
         for (path, bytes) in beside.chain(scene) {
             here.may_write(&path)?;
             if !store::is_inside(&path, Path::new(".").join(folder).as_path()) {
                 let what = "a link leads out of the scene's folder: remove it";
                 return Err(CannotAsk::file(&path, what));
             }
+            let force = force && !ours.contains(&path);
             // One byte more than ours is enough to differ.
             let before = match store::read(&path, bytes.len() as u64) {
                 Ok(before) => before,
@@ -83,8 +85,9 @@ impl Place {
             match &before {
                 Some(before) if before == bytes => {}
                 Some(_) if !force => return Err(in_the_way(&path)),
-                _ => to_write.push((path, bytes, before)),
+                _ => to_write.push((path.clone(), bytes, before)),
             }
+            named.push(path);
         }
         for (i, (path, bytes, _)) in to_write.iter().enumerate() {
             if let Err(why) = here.write(path, bytes) {
@@ -98,6 +101,7 @@ impl Place {
                 return Err(why);
             }
         }
+        ours.extend(named);
         Ok(())
     }
 }

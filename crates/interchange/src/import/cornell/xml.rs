@@ -15,6 +15,9 @@ const MAX_BYTES: usize = 16 << 20;
 /// The most elements, texts and comments together.
 const MAX_NODES: u32 = 2_000_000;
 
+/// The most attributes of an element: the parser holds each against all others.
+const MAX_ATTRIBUTES: usize = 64;
+
 /// The tree of a text.
 ///
 /// # Errors
@@ -27,9 +30,49 @@ pub(super) fn parse<'a>(text: &Text<'a>) -> Result<Document<'a>, Unreadable> {
             "put large meshes into files of their own",
         ));
     }
+    if let Some(byte) = crowded(text.text) {
+        return Err(problem(
+            Some(text.place(byte)),
+            format!("expected an element of at most {MAX_ATTRIBUTES} attributes, found more"),
+            "put data into elements",
+        ));
+    }
     let options =
         ParsingOptions { allow_dtd: false, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text.text, options).map_err(|error| explain(text, &error))
+}
+
+/// Where the first element with too many attributes starts, if one has.
+fn crowded(text: &str) -> Option<usize> {
+    let mut from = 0;
+    while let Some(start) = text[from..].find('<').map(|at| from + at) {
+        let rest = &text[start..];
+        let passed_over = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
+        if let Some((open, close)) = passed_over.iter().find(|(open, _)| rest.starts_with(open)) {
+            let end = rest[open.len()..].find(close)?;
+            from = start + open.len() + end + close.len();
+            continue;
+        }
+        let (mut count, mut quote) = (0, None);
+        let mut end = rest.len();
+        for (at, byte) in rest.bytes().enumerate() {
+            match (byte, quote) {
+                (_, Some(open)) => quote = (byte != open).then_some(open),
+                (b'"' | b'\'', None) => quote = Some(byte),
+                (b'=', None) => count += 1,
+                (b'>', None) => {
+                    end = at + 1;
+                    break;
+                }
+                _ => {}
+            }
+        }
+        if count > MAX_ATTRIBUTES {
+            return Some(start);
+        }
+        from = start + end;
+    }
+    None
 }
 
 fn explain(text: &Text<'_>, error: &Error) -> Unreadable {

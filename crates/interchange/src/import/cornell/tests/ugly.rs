@@ -40,6 +40,17 @@ fn entities_do_not_grow() {
 }
 
 #[test]
+fn elements_crowded_with_attributes_are_a_clear_error() {
+    let with = |count: usize| {
+        let attributes: String = (0..count).map(|k| format!(" a{k}='>'")).collect();
+        BALL.replace("<scene>", &format!("<!-- = < --><scene{attributes}>"))
+    };
+    refuses(with(65), &["expected an element of at most 64 attributes"]);
+    refuses(with(1_000_000), &["expected an element of at most 64 attributes"]);
+    assert_eq!(read(with(64)).unwrap().lost.len(), 64);
+}
+
+#[test]
 fn a_million_elements_in_each_other_are_a_clear_error() {
     const MILLION: usize = 1_000_000;
     let deep = |open: &str, close: &str| {
