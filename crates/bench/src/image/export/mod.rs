@@ -124,9 +124,13 @@ fn surface(file: &SceneFile, object: &Object) -> Result<Surface, String> {
         material => material,
     };
     match named {
-        Some(Material::Lambert { diffuse: Some(diffuse), texture: None }) => Ok(Surface::Lambert(*diffuse)),
+        Some(Material::Lambert { diffuse: Some(diffuse), texture: None }) => {
+            Ok(Surface::Lambert(*diffuse))
+        }
         Some(Material::Constant { color, texture: None }) => Ok(Surface::Shining(*color)),
-        other => Err(format!("expected `Lambert` with a `diffuse` or `Constant`, without a texture, found {other:?}")),
+        other => Err(format!(
+            "expected `Lambert` with a `diffuse` or `Constant`, without a texture, found {other:?}"
+        )),
     }
 }
 
