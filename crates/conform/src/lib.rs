@@ -24,6 +24,7 @@ mod pictures;
 pub mod process;
 pub mod result;
 pub mod run;
+mod scale;
 pub mod trial;
 mod xml;
 

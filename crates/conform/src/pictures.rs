@@ -6,9 +6,10 @@ use base64::engine::general_purpose::STANDARD as BASE64;
 use harness::encode::{EncodedImage, Transfer, encode};
 use harness::golden::page_png;
 use harness::picture::HEAT;
-use tracer::{LinearImage, Rgb};
+use tracer::LinearImage;
 
 use crate::Evidence;
+use crate::scale::Scale;
 
 /// The color of edge pixels beyond the tolerance, which are no failure.
 pub(crate) const EDGE: [u8; 3] = [64, 148, 232];
@@ -40,7 +41,7 @@ pub(crate) fn difference(evidence: &Evidence, tolerance: f64) -> Option<EncodedI
         return None;
     }
     let dim = seen(&evidence.reference);
-    let floor = floor(&evidence.reference);
+    let scale = Scale::of(&evidence.reference);
     Some(EncodedImage::from_fn(size, |x, y| {
         let pixel = y as usize * size.width as usize + x as usize;
         if !evidence.off[pixel] {
@@ -52,28 +53,8 @@ pub(crate) fn difference(evidence: &Evidence, tolerance: f64) -> Option<EncodedI
             return EDGE;
         }
         let (a, b) = (evidence.reference.pixels()[pixel], evidence.actual.pixels()[pixel]);
-        HEAT[heat(error(a, b, floor) / tolerance)]
+        HEAT[heat(scale.error(a, b) / tolerance)]
     }))
-}
-
-/// What the errors of pixels are relative to at least: a hundredth of white, or of the
-/// picture's brightest channel where that is darker. What is black has no relative
-/// error.
-pub(crate) fn floor(reference: &LinearImage) -> f64 {
-    const DARKEST: f64 = 0.01;
-    let channels = reference.pixels().iter().flat_map(|pixel| pixel.channels());
-    let brightest = channels.fold(0.0, |most: f64, channel| most.max(channel.abs()));
-    DARKEST * if brightest > 0.0 { brightest.min(1.0) } else { 1.0 }
-}
-
-/// The worst channel's distance, relative to the reference's brightest channel, which
-/// counts as `floor` where it is darker.
-pub(crate) fn error(reference: Rgb, actual: Rgb, floor: f64) -> f64 {
-    let brightest = reference.channels().into_iter().fold(floor, |most, c| most.max(c.abs()));
-    let pairs = reference.channels().into_iter().zip(actual.channels());
-    let distances = pairs.map(|(a, b)| (a - b).abs() / brightest);
-    // A NaN is the worst that there is.
-    distances.fold(0.0, |most, one| if one.is_nan() || one > most { one } else { most })
 }
 
 /// Which color is for an error of so many tolerances.
@@ -114,7 +95,7 @@ mod tests {
     #[test]
     fn what_is_off_is_seen_and_edges_apart() {
         let row = |values: &[f64]| {
-            let pixels = values.iter().map(|&v| Rgb::new(v, 0.0, v)).collect();
+            let pixels = values.iter().map(|&v| tracer::Rgb::new(v, 0.0, v)).collect();
             LinearImage::from_pixels(Size { width: values.len() as u32, height: 1 }, pixels)
         };
         let reference = row(&[1.0, 0.5, 0.5, 0.5, 0.5]).unwrap();

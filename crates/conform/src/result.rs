@@ -6,6 +6,8 @@ use interchange::Feature;
 use serde::{Deserialize, Serialize};
 use tracer::LinearImage;
 
+use crate::adapter::DEFAULT_REACH;
+
 /// A renderer's run over fixtures, as it is written to `results.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -25,6 +27,18 @@ pub struct Run {
 impl Run {
     /// The version of the record.
     pub const SCHEMA: u32 = 1;
+}
+
+/// How far pictures may be off, in words: what an adapter allows is part of what a card
+/// says. The reach of edges is named where it is more than usual.
+pub fn held_to(tolerance: f64, edge_reach: f64) -> String {
+    let tolerance = crate::card::error(tolerance);
+    match edge_reach {
+        reach if reach > DEFAULT_REACH => {
+            format!("{tolerance}, what is within {reach} px of an edge may be either side")
+        }
+        _ => tolerance,
+    }
 }
 
 /// Which renderer.
@@ -122,4 +136,17 @@ pub struct Evidence {
     pub edges: Vec<bool>,
     /// Whether each pixel is beyond the tolerance, row-major.
     pub off: Vec<bool>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_allowed_is_said() {
+        assert_eq!(held_to(1e-5, DEFAULT_REACH), "1e-5");
+        assert_eq!(held_to(0.1, 1e-3), "0.1");
+        let wide = "1e-5, what is within 0.1 px of an edge may be either side";
+        assert_eq!(held_to(1e-5, 0.1), wide);
+    }
 }

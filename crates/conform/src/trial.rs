@@ -12,7 +12,7 @@ use interchange::Feature;
 use interchange::feature::features;
 use tracer::{LinearImage, Rgb, objects_seen};
 
-use crate::pictures::{error, floor};
+use crate::scale::Scale;
 use crate::{Conformed, Evidence, FixtureResult, Numbers, Outcome, RendererInfo, Run};
 
 /// How far an interior pixel may be off in a trial, relative.
@@ -167,15 +167,15 @@ fn edges(fixture: &Fixture) -> Vec<bool> {
 /// The evidence of two pictures of one size.
 pub fn judged(reference: LinearImage, actual: LinearImage, edges: Vec<bool>) -> Evidence {
     let pairs = reference.pixels().iter().zip(actual.pixels());
-    let floor = floor(&reference);
-    let off = pairs.map(|(a, b)| !(error(*a, *b, floor) <= TOLERANCE)).collect();
+    let scale = Scale::of(&reference);
+    let off = pairs.map(|(a, b)| !(scale.error(*a, *b) <= TOLERANCE)).collect();
     let (low, high) = (actual.clone(), actual.clone());
     Evidence { reference, actual, low, high, edges, off }
 }
 
 fn numbers(evidence: &Evidence) -> Numbers {
     let width = evidence.reference.size().width as usize;
-    let floor = floor(&evidence.reference);
+    let scale = Scale::of(&evidence.reference);
     let errors = evidence.reference.pixels().iter().zip(evidence.actual.pixels());
     let mut numbers = Numbers {
         pixels: evidence.off.len() as u64,
@@ -193,7 +193,7 @@ fn numbers(evidence: &Evidence) -> Numbers {
             continue;
         }
         numbers.interior_off += is_off;
-        let error = error(*a, *b, floor);
+        let error = scale.error(*a, *b);
         if error > numbers.worst_interior {
             numbers.worst_interior = error;
             numbers.worst_at = Some(((i % width) as u32, (i / width) as u32));

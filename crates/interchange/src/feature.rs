@@ -87,6 +87,8 @@ features! {
         BlinnPhong,
         /// One that is not gray. Only writers of scenes ask for it.
         ColoredHighlight,
+    }
+    "mirrors and glass": {
         /// A mirror.
         Mirror,
         /// Refraction, Fresnel's reflection and total internal reflection.

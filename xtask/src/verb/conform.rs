@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use conform::card;
 use conform::run::{Plan, RESULTS, Renderer, Subject, Told, run, subjects};
-use conform::{Conformed, Outcome, objects_of};
+use conform::{Conformed, Outcome, objects_of, outcome};
 use harness::called::command;
 use harness::suite::Suite;
 
@@ -250,27 +250,17 @@ fn one(
     Ok(Some(conformed))
 }
 
-/// The words of an outcome, as its JSON has them.
-fn words(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Pass => "pass",
-        Outcome::Fail => "fail",
-        Outcome::Unsupported => "unsupported",
-        Outcome::Crashed => "crashed",
-        Outcome::TimedOut => "timed out",
-        Outcome::NoPicture => "no picture",
-        Outcome::BadPicture => "bad picture",
-        Outcome::WrongSize => "wrong size",
-    }
-}
-
 /// What is said of a fixture that does not pass.
 fn line(told: &Told<'_>) -> String {
     let Told { name, result, by_hand } = told;
     let by_hand = by_hand.as_ref();
     let by_hand = by_hand.map(|by_hand| format!("\n            by hand: {by_hand}"));
     let findings = result.findings.join(" | ");
-    format!("{:<11} {name}: {findings}{}", words(result.outcome), by_hand.unwrap_or_default())
+    format!(
+        "{:<11} {name}: {findings}{}",
+        outcome::words(result.outcome),
+        by_hand.unwrap_or_default()
+    )
 }
 
 /// How many of each outcome, and how far the interior of those that pass is off.
@@ -278,7 +268,8 @@ fn summary(conformed: &Conformed) -> String {
     let results = conformed.run.fixtures.values();
     let outcomes: BTreeSet<_> = results.clone().map(|result| result.outcome).collect();
     let count = |outcome| results.clone().filter(|result| result.outcome == outcome).count();
-    let counts = outcomes.iter().map(|&outcome| format!("{} {}", count(outcome), words(outcome)));
+    let counts =
+        outcomes.iter().map(|&outcome| format!("{} {}", count(outcome), outcome::words(outcome)));
     let counts: Vec<_> = counts.collect();
     let numbers = results.clone().filter_map(|result| result.numbers);
     let (mut worst, mut off, mut edges) = (0.0_f64, 0, 0);

@@ -17,7 +17,8 @@ use place::Place;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
-    /// Scenes: the course's XML (.xml), the Standard Procedural Databases' (.nff)
+    /// Scenes: the course's XML (.xml), the Standard Procedural Databases' (.nff), meshes with or
+    /// without materials (.obj, .ply, .stl), glTF 2.0 (.gltf, .glb), scenes as JSON (.json)
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// The scene file to write (.ron), or a folder for one of each FILE

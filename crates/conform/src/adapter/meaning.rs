@@ -54,6 +54,11 @@ pub enum Rounding {
     Down,
 }
 
+impl Rounding {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Nearest, Self::Down];
+}
+
 /// Which row is held first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 pub enum Rows {

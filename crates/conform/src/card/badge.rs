@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Column;
+use crate::result::held_to;
 use crate::xml;
 
 /// What stands on the left.
@@ -22,7 +23,9 @@ pub fn badge(column: &Column) -> String {
     };
     let rest = tally.rest_words();
     let rest = if rest.is_empty() { rest } else { format!(" ({rest})") };
-    let title = format!("{LABEL}: {}: {words}{rest}", scene::visible(&column.info.name));
+    let held_to = held_to(column.tolerance, column.edge_reach);
+    let name = scene::visible(&column.info.name);
+    let title = format!("{LABEL}: {name}: {words}{rest}, held to {held_to}");
     draw(&title, &words, color(passed, total))
 }
 
@@ -103,7 +106,7 @@ mod tests {
     fn check(outcomes: &[Outcome], words: &str, title: &str, color: &str) {
         let svg = of("R", outcomes);
         assert!(svg.contains(&format!(">{words}</text>")), "{svg}");
-        assert!(svg.contains(&format!("<title id=\"t\">{title}</title>")), "{svg}");
+        assert!(svg.contains(&format!("<title id=\"t\">{title}, held to 0</title>")), "{svg}");
         assert!(svg.contains(&format!("fill=\"{color}\"")), "{svg}");
     }
 

@@ -7,6 +7,7 @@ use harness::suite::Suite;
 
 use super::{Answered, Card, Cell, Column, Row, Standing, Suspicion, Tally};
 use crate::consensus::{FEWEST_VOTERS, GOLDRAY, Opinion, Share, Told};
+use crate::result::held_to;
 use crate::{Outcome, outcome};
 
 /// So many failures of a renderer have a row.
@@ -42,7 +43,7 @@ fn renderers(card: &Card) -> String {
         "| renderer | version | pass | the others | tolerance | worst interior error | edge \
                      pixels that differ |\n|---|---|---|---|---|---|---|\n"
             .to_owned();
-    for Column { info, tolerance, tally, .. } in &card.renderers {
+    for Column { info, tolerance, edge_reach, tally } in &card.renderers {
         let version = info.version.lines().next().unwrap_or_default();
         // Writing to a String cannot fail.
         let _ = writeln!(
@@ -53,7 +54,7 @@ fn renderers(card: &Card) -> String {
             tally.passed(),
             tally.total(),
             tally.rest_words(),
-            error(*tolerance),
+            held_to(*tolerance, *edge_reach),
             worst(tally),
             edges(tally),
         );

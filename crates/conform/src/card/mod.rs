@@ -20,6 +20,7 @@ use interchange::Feature;
 
 pub use badge::badge;
 pub use json::json;
+pub(crate) use markdown::error;
 pub use markdown::{markdown, sentences};
 pub(crate) use page::grade_html;
 pub use page::html;

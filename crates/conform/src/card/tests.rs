@@ -167,3 +167,12 @@ fn every_file_is_written_whole() {
     assert!(read(0) == format!("{:#}\n", json(&card)).into_bytes());
     assert!(read(3).starts_with(b"<svg "));
 }
+
+#[test]
+fn the_document_lists_every_feature() {
+    let document = include_str!("../../../../docs/scorecard.md");
+    let listed = document.lines().filter_map(|line| line.strip_prefix("| ")?.split_once("| `"));
+    let listed = listed.filter_map(|(_, rest)| rest.split_once("` |")).map(|(name, _)| name);
+    let all: Vec<_> = Feature::ALL.iter().map(|feature| feature.name()).collect();
+    assert_eq!(listed.collect::<Vec<_>>(), all, "docs/scorecard.md, \"The features\"");
+}

@@ -24,7 +24,7 @@ pub use overall::{Overall, Share, overall};
 pub use picture::{COLORS, SEVERAL, UNDECIDED, disagreement};
 
 use crate::objects::{Objects, Seen};
-use crate::pictures::floor;
+use crate::scale::Scale;
 use crate::{Conformed, Evidence};
 use regions::areas;
 
@@ -124,9 +124,9 @@ pub fn of_fixture(
     if voices.len() < FEWEST_VOTERS {
         return None;
     }
-    let floor = floor(&reference.reference);
+    let scale = Scale::of(&reference.reference);
     let opinion =
-        |i: usize| Opinion::of(voices.len(), |a, b| agree(&voices[a], &voices[b], i, floor));
+        |i: usize| Opinion::of(voices.len(), |a, b| agree(&voices[a], &voices[b], i, scale));
     let map = (0..reference.edges.len()).map(opinion).collect();
     Some(told(Told { voters, unheard, ..blank(size) }, map, &reference.edges, objects))
 }
@@ -157,8 +157,12 @@ fn blank(size: Size) -> Told {
     }
 }
 
+/// So much of a pixel's brightest channel is rounding, where the values of two codes
+/// meet.
+const ROUNDING: f64 = 1e-12;
+
 /// Whether two agree in a pixel.
-fn agree(a: &Voice<'_>, b: &Voice<'_>, pixel: usize, floor: f64) -> bool {
+fn agree(a: &Voice<'_>, b: &Voice<'_>, pixel: usize, scale: Scale) -> bool {
     let (a_evidence, b_evidence) = match (a.evidence, b.evidence) {
         (Some(a), Some(b)) => (a, b),
         (None, Some(one)) | (Some(one), None) => return !one.off[pixel],
@@ -168,14 +172,20 @@ fn agree(a: &Voice<'_>, b: &Voice<'_>, pixel: usize, floor: f64) -> bool {
         return true;
     }
     let channels = |picture: &LinearImage| picture.pixels()[pixel].channels();
-    let nominal = [channels(&a_evidence.actual), channels(&b_evidence.actual)].concat();
-    let brightest = nominal.iter().fold(floor, |most, c| most.max(c.abs()));
+    let nominal = [a_evidence, b_evidence].map(|evidence| evidence.actual.pixels()[pixel]);
+    let brightest = nominal.map(|pixel| scale.at(pixel)).into_iter().fold(0.0, f64::max);
     let allowed = a.tolerance.max(b.tolerance) * brightest;
     let (a_low, a_high) = (channels(&a_evidence.low), channels(&a_evidence.high));
     let (b_low, b_high) = (channels(&b_evidence.low), channels(&b_evidence.high));
     // What is no number is near nothing, and what is infinite has no neighbors.
-    nominal.iter().all(|c| c.is_finite())
-        && (0..3).all(|i| a_low[i] - b_high[i] <= allowed && b_low[i] - a_high[i] <= allowed)
+    nominal.iter().all(|pixel| pixel.channels().iter().all(|c| c.is_finite()))
+        && (0..3).all(|i| {
+            let gap = (a_low[i] - b_high[i]).max(b_low[i] - a_high[i]);
+            let is_exact = (a_high[i] - a_low[i]).min(b_high[i] - b_low[i]) <= allowed;
+            // Two codes beside each other stand for values that end where the others
+            // begin: they say that the value is another.
+            if is_exact { gap <= allowed } else { gap < -ROUNDING * brightest }
+        })
 }
 
 /// Counts the opinions and finds their regions.

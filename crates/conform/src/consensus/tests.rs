@@ -165,7 +165,9 @@ fn values_that_files_cannot_tell_apart_agree() {
     check([0.499, 0.5, 0.501], exact(0.501), true);
     check([0.499, 0.5, 0.501], exact(0.502), false);
     check(exact(0.498), [0.499, 0.5, 0.501], false);
-    check([0.499, 0.5, 0.501], [0.501, 0.502, 0.503], true);
+    // Codes beside each other say that it is another value, also of finer steps.
+    check([0.499, 0.5, 0.501], [0.501, 0.502, 0.503], false);
+    check([0.499, 0.5, 0.501], [0.5005, 0.502, 0.5035], true);
     // Clamped to white, it may be anything brighter; to black, anything darker.
     check([0.99, 1.0, most], exact(7.0), true);
     check([0.99, 1.0, most], exact(0.9), false);

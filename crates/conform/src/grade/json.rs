@@ -15,6 +15,7 @@ pub fn json(grade: &Grade) -> Value {
             "name": grade.renderer.name,
             "version": grade.renderer.version,
         },
+        "held_to": grade.held_to,
         "points": grade.points.value(),
         "of": grade.of.value(),
         "parts": grade.marks.iter().map(mark).collect::<Vec<_>>(),

@@ -17,7 +17,7 @@ pub fn markdown(grade: &Grade) -> String {
         prose(&grade.title),
         grade.points,
         grade.of,
-        prose(&format!("{}{version}", grade.renderer.name)),
+        prose(&format!("{}{version}, held to {}", grade.renderer.name, grade.held_to)),
     );
     for mark in &grade.marks {
         let how = match mark.per {

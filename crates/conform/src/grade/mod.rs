@@ -31,6 +31,7 @@ pub use rubric::{Ending, Often, Part, Penalty, Per, Rubric, VERSION};
 pub use text::{grade_lines, plan_lines};
 pub use write::write;
 
+use crate::result::held_to;
 use crate::{Conformed, FixtureResult, Outcome, RendererInfo};
 
 /// Points for what a renderer gets right.
@@ -40,6 +41,8 @@ pub struct Grade {
     pub title: String,
     /// Who rendered.
     pub renderer: RendererInfo,
+    /// How far its pictures may be off; see [`held_to`].
+    pub held_to: String,
     /// One for each part of the rubric.
     pub marks: Vec<Mark>,
     /// One for each penalty of the rubric.
@@ -111,6 +114,7 @@ impl Grade {
         Self {
             title: plan.rubric.title.clone(),
             renderer: run.renderer.clone(),
+            held_to: held_to(run.tolerance, run.edge_reach),
             points: marks.iter().map(|mark| mark.points).sum::<Points>().less(taken),
             of: marks.iter().map(|mark| mark.of).sum(),
             marks,

@@ -8,13 +8,13 @@ const HOME = "Grade";
 const graded = grade.renderer.id;
 
 function overviewPage() {
-  const { title, renderer, points, of, parts, unasked, shared } = grade;
+  const { title, renderer, held_to, points, of, parts, unasked, shared } = grade;
   return [
     element(
       "div",
       { class: points === of ? "headline is-green" : "headline" },
       element("h1", {}, `${title}: ${pointWords(points)} of ${pointWords(of)} points`),
-      element("p", {}, renderer.name, renderer.version ? ` (${renderer.version.split("\n")[0]})` : ""),
+      element("p", {}, renderer.name, renderer.version ? ` (${renderer.version.split("\n")[0]})` : "", `, held to ${held_to}`),
     ),
     scrolled(marksTable(), "Points"),
     namesLine("No part asks for", unasked),

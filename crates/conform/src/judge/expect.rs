@@ -8,7 +8,8 @@ use harness::encode::Transfer;
 use harness::expectation::{Count, Expectation, Mirror, Pixel, Radiance, Ratio};
 use tracer::Size;
 
-use super::{Level, Levels, Reference, Scale};
+use super::{Level, Levels, Reference};
+use crate::scale::Scale;
 
 /// The expectations that a picture breaks, in words.
 pub(super) fn broken(

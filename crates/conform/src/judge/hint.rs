@@ -4,7 +4,7 @@
 use harness::picture_file::Stored;
 
 use super::{Allowance, Levels, Reference, judge};
-use crate::adapter::{Meaning, Transfer};
+use crate::adapter::{Meaning, Rounding, Transfer};
 
 /// Another meaning of the file by which its interior is right, in a sentence.
 pub(super) fn hint(
@@ -14,9 +14,9 @@ pub(super) fn hint(
     allowance: Allowance,
 ) -> Option<String> {
     let turned = [meaning.rows, meaning.rows.turned()];
-    let all = turned
-        .into_iter()
-        .flat_map(|rows| Transfer::ALL.map(|transfer| Meaning { transfer, rows, ..meaning }));
+    let curved = |rows| Transfer::ALL.map(|transfer| Meaning { transfer, rows, ..meaning });
+    let all = turned.into_iter().flat_map(curved);
+    let all = all.flat_map(|meaning| Rounding::ALL.map(|rounding| Meaning { rounding, ..meaning }));
     let is_right = |other: &Meaning| {
         let levels = Levels::of(stored, *other);
         levels.is_ok_and(|levels| {
@@ -30,6 +30,12 @@ pub(super) fn hint(
     }
     if other.transfer != meaning.transfer {
         words.push(format!("with another curve (`transfer: {:?}` in its adapter)", other.transfer));
+    }
+    if other.rounding != meaning.rounding {
+        let rounding = other.rounding;
+        words.push(format!(
+            "with codes rounded otherwise (`rounding: {rounding:?}` in its adapter)"
+        ));
     }
     Some(format!("its interior would be right {}", words.join(" and ")))
 }

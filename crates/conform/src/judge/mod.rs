@@ -18,6 +18,7 @@ use tracer::{Around, LinearImage, Rgb, Size};
 
 use crate::Numbers;
 use crate::adapter::{Adapter, Meaning};
+use crate::scale::Scale;
 use harness::picture_file::Stored;
 
 /// How much a picture may differ.
@@ -97,36 +98,6 @@ pub fn hint(
     allowance: Allowance,
 ) -> Option<String> {
     hint::hint(reference, stored, meaning, allowance)
-}
-
-/// What errors are relative to.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Scale {
-    /// The least.
-    floor: f64,
-}
-
-impl Scale {
-    /// A pixel that is darker than this part of white, or of the picture's brightest
-    /// channel where that is below white, is measured as if it were as bright: what
-    /// is black has no relative error.
-    const DARKEST: f64 = 0.01;
-
-    fn of(picture: &LinearImage) -> Self {
-        let brightest = picture.pixels().iter().map(|&pixel| brightest(pixel)).fold(0.0, f64::max);
-        let white = if brightest > 0.0 { brightest.min(1.0) } else { 1.0 };
-        Self { floor: Self::DARKEST * white }
-    }
-
-    /// What an error of this pixel is relative to.
-    pub(crate) fn at(self, pixel: Rgb) -> f64 {
-        brightest(pixel).max(self.floor)
-    }
-}
-
-/// The largest channel, whatever its sign.
-fn brightest(pixel: Rgb) -> f64 {
-    pixel.channels().into_iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
 /// How far a pixel is from the nearest that the file could stand for.

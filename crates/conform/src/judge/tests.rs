@@ -154,6 +154,9 @@ fn what_would_make_it_right_is_said() {
     assert!(hinted(&flipped).unwrap().contains("rows: BottomFirst"));
     let gamma = held.codes(65_535, |c| libm::pow(c, 1.0 / 2.2));
     assert!(hinted(&gamma).unwrap().contains("transfer: Gamma22"));
+    // Half a code less is rounded up where it would have been cut off.
+    let cut = |c: f64| (c - 0.5 / 255.0).max(0.0);
+    assert!(hinted(&held.codes(255, cut)).unwrap().contains("rounding: Down"));
     let both = held.floats(|x, y, _| {
         let pixel = held.rendered.linear.get(x, size.height - 1 - y).unwrap();
         Rgb::from(pixel.channels().map(|c| libm::pow(c, 1.0 / 2.2)))

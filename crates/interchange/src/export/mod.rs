@@ -115,17 +115,6 @@ impl fmt::Display for NotWritten {
     }
 }
 
-/// What no dialect but goldray's own is given words for.
-const UNSAID: [Feature; 7] = [
-    Feature::Mirror,
-    Feature::Dielectric,
-    Feature::Whitted,
-    Feature::Glazed,
-    Feature::Schlick,
-    Feature::CheckerTexture,
-    Feature::ImageTexture,
-];
-
 /// Writes a scene that was read without problems; `assets` gives the files that
 /// it names.
 ///
@@ -136,13 +125,6 @@ pub fn export(
     scene: &SceneFile<Unchecked>,
     assets: &dyn Assets,
 ) -> Result<Exported, NotWritten> {
-    let is_ours = matches!(dialect, Dialect::Ron | Dialect::Json);
-    let asked = crate::feature::features(scene);
-    let unsaid: BTreeSet<_> =
-        UNSAID.into_iter().filter(|feature| asked.contains(feature)).collect();
-    if !is_ours && !unsaid.is_empty() {
-        return Err(NotWritten::Cannot(unsaid));
-    }
     let write: fn(&Plain) -> Result<Exported, BTreeSet<Feature>> = match dialect {
         Dialect::Ron => return own::ron(scene, assets).map_err(NotWritten::Bad),
         Dialect::Json => return own::json(scene, assets).map_err(NotWritten::Bad),

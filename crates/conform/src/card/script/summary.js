@@ -13,7 +13,10 @@ function summarySection() {
   );
 }
 
-function summaryCard({ id, name, version, tolerance, tally }) {
+// What counts as an edge unless an adapter allows more, in pixels.
+const USUAL_REACH = 1 / 64;
+
+function summaryCard({ id, name, version, tolerance, edge_reach, tally }) {
   const first = version.split("\n")[0];
   return element(
     "li",
@@ -36,6 +39,7 @@ function summaryCard({ id, name, version, tolerance, tally }) {
       fact("Interior pixels off", `${count(tally.interior_off)} of ${count(tally.pixels - tally.edge_pixels)}`),
       fact("Edge pixels that differ", edgeFact(tally)),
       fact("Tolerance", errorWords(tolerance)),
+      edge_reach > USUAL_REACH ? fact("Edges reach, in pixels", count(edge_reach)) : null,
     ),
   );
 }

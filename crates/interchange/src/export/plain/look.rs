@@ -41,8 +41,8 @@ impl Look {
                 let highlight = (*specular != [0.0; 3]).then_some((*specular, *exponent));
                 Self::Lit { diffuse: filled(diffuse), highlight }
             }
-            // A name that leads nowhere is a problem that was told before, and what sends
-            // rays on is no writer's: see `UNSAID`.
+            // A name that leads nowhere is a problem that was told before, and no writer
+            // has words for what sends rays on.
             None
             | Some(
                 Material::Named(_)

@@ -110,8 +110,10 @@ impl Plain {
     /// they are after all that was said otherwise.
     fn asks<C>(&self, file: &SceneFile<C>) -> BTreeSet<Feature> {
         let kept = |feature: &Feature| {
-            matches!(feature.family(), "cameras" | "shapes" | "samples" | "textures")
-                && *feature != Feature::Group
+            matches!(
+                feature.family(),
+                "cameras" | "shapes" | "mirrors and glass" | "textures" | "samples"
+            ) && *feature != Feature::Group
         };
         let mut asks: BTreeSet<_> =
             crate::feature::features(file).into_iter().filter(kept).collect();
