@@ -6,6 +6,7 @@ mod tree;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use tree::{Ran, SQUARE, Tree};
 
@@ -18,7 +19,12 @@ struct Project {
 impl Project {
     fn new() -> Self {
         let bin = tempfile::tempdir().unwrap();
-        fs::copy(env!("CARGO_BIN_EXE_goldray"), program(bin.path())).unwrap();
+        // By another process: what this one has open for writing, a program that another
+        // test starts just then has open as well, and as long as it has, it is no program.
+        let copied = Command::new("cp")
+            .args([Path::new(env!("CARGO_BIN_EXE_goldray")), &program(bin.path())])
+            .status();
+        assert!(copied.unwrap().success());
         Self { tree: Tree::new(&[]), bin }
     }
 

@@ -136,8 +136,8 @@ features! {
         /// Surfaces that show their backs, by a normal that is not turned. Only
         /// writers of scenes ask for it, who look at the picture for it.
         BackSides,
-        /// A highlight of a light that is behind the surface. Only writers of
-        /// scenes ask for it, who look at the picture for it.
+        /// A highlight of a light that is behind the surface, or on a back side. Only
+        /// writers of scenes ask for it, who look at the picture for it.
         HighlightFromBehind,
     }
     "pictures": {

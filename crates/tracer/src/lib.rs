@@ -80,6 +80,7 @@ pub use scene::{Scene, SceneParts};
 pub use shading::Convention;
 pub use show::{Show, id_color};
 pub use simd::Instructions;
+pub use specular::rays_sent_on;
 pub use texture::Texture;
 pub use transform::Transform;
 pub use unit::UnitVec;

@@ -52,7 +52,7 @@ impl Plane {
     /// On a wall, `u` is level, `y x n`, and `v` leads up. Where the normal's y is its
     /// largest component, `u` is the x axis laid into the plane, and `v` follows: on
     /// a floor it leads along `-z`.
-    fn tangents(&self) -> [DVec3; 2] {
+    pub fn tangents(&self) -> [DVec3; 2] {
         let n = *self.normal;
         let is_floor = n.y.abs() > n.x.abs().max(n.z.abs());
         let u = if is_floor { DVec3::X - n.x * n } else { DVec3::new(n.z, 0.0, -n.x) };

@@ -37,11 +37,8 @@ pub(crate) fn shade(
         color = if seeded(Fault::GlazeAdds) { lit } else { lit * share };
         trail = Trail(shadows);
     }
-    let ways = [
-        (parts.reflected, !parts.leaves, Event::ReflectedRay, Trail::REFLECTED),
-        (parts.refracted, parts.leaves, Event::RefractedRay, Trail::REFRACTED),
-    ];
-    for (part, outward, event, way) in ways {
+    let steps = [(Event::ReflectedRay, Trail::REFLECTED), (Event::RefractedRay, Trail::REFRACTED)];
+    for ((part, outward), (event, way)) in parts.ways().into_iter().zip(steps) {
         let Some((direction, share)) = part else { continue };
         let adds = share != Rgb::BLACK;
         if left == 0 || (work.skips() && !adds) {
@@ -55,6 +52,16 @@ pub(crate) fn shade(
         }
     }
     (color, trail.0)
+}
+
+/// The rays that a hit which is seen along `ray` sends on and whose colors it
+/// shows: the reflected one first, then the refracted one.
+pub fn rays_sent_on(ray: &Ray, hit: &Hit) -> Vec<Ray> {
+    let onward = |(part, outward): (Part, bool)| {
+        let (direction, share) = part?;
+        (share != Rgb::BLACK).then(|| hit.leaving_on(outward, direction))
+    };
+    Parts::of(ray, hit).ways().into_iter().filter_map(onward).collect()
 }
 
 /// What a ray sees that was sent on, and may be `left` times more.

@@ -83,6 +83,14 @@ impl Parts {
     }
 }
 
+impl Parts {
+    /// What is reflected and what is refracted, each with whether its ray leaves on
+    /// the outside.
+    pub(super) fn ways(&self) -> [(Part, bool); 2] {
+        [(self.reflected, !self.leaves), (self.refracted, self.leaves)]
+    }
+}
+
 /// How a ray meets a surface between two media.
 #[derive(Debug, Clone, Copy)]
 struct Meeting {

@@ -1,9 +1,11 @@
-//! `Look`: how a surface looks, with all that a material leaves open filled in.
+//! `Look`: how a surface looks, with all that a material leaves open filled in;
+//! `Way`: where it sends rays on.
 
 use scene::format::{Material, Shading, Show, Triple};
 use tracer::Convention;
 
 use super::Lamp;
+use crate::Feature;
 use crate::export::text::{scaled, times};
 
 /// How a surface looks.
@@ -28,29 +30,30 @@ impl Look {
             Shading::Attenuated => Convention::Attenuated,
             Shading::Radiometric => Convention::Radiometric,
         };
-        let filled = |diffuse: &Option<Triple>| {
-            diffuse.unwrap_or_else(|| convention.default_diffuse().channels())
+        let is_textured = material.is_some_and(|material| material.texture().is_some());
+        let filled = |diffuse: &Option<Triple>| match diffuse {
+            Some(diffuse) => *diffuse,
+            None if is_textured => [1.0; 3],
+            None => convention.default_diffuse().channels(),
+        };
+        let lit = |diffuse: &Option<Triple>, specular: &Triple, exponent: f64| {
+            let highlight = (*specular != [0.0; 3]).then_some((*specular, exponent));
+            Self::Lit { diffuse: filled(diffuse), highlight }
         };
         match material {
             Some(Material::Constant { color, .. }) => Self::Constant(*color),
             Some(Material::Normal) => Self::Normal(1.0),
-            Some(Material::Lambert { diffuse, .. }) => {
-                Self::Lit { diffuse: filled(diffuse), highlight: None }
-            }
-            Some(Material::BlinnPhong { diffuse, specular, exponent, .. }) => {
-                let highlight = (*specular != [0.0; 3]).then_some((*specular, *exponent));
-                Self::Lit { diffuse: filled(diffuse), highlight }
-            }
-            // A name that leads nowhere is a problem that was told before, and no writer
-            // has words for what sends rays on.
-            None
-            | Some(
-                Material::Named(_)
-                | Material::Mirror { .. }
-                | Material::Dielectric { .. }
-                | Material::Whitted { .. }
-                | Material::Glazed { .. },
-            ) => Self::Lit { diffuse: filled(&None), highlight: None },
+            Some(Material::Lambert { diffuse, .. }) => lit(diffuse, &[0.0; 3], 1.0),
+            Some(
+                Material::BlinnPhong { diffuse, specular, exponent, .. }
+                | Material::Whitted { diffuse, specular, exponent, .. }
+                | Material::Glazed { diffuse, specular, exponent, .. },
+            ) => lit(diffuse, specular, *exponent),
+            // The colors that they have by themselves.
+            Some(Material::Mirror { reflectance, .. }) => Self::Constant(*reflectance),
+            Some(Material::Dielectric { tint, .. }) => Self::Constant(*tint),
+            // A name that leads nowhere is a problem that was told before.
+            None | Some(Material::Named(_)) => lit(&None, &[0.0; 3], 1.0),
         }
     }
 
@@ -73,6 +76,56 @@ impl Look {
     /// Whether light changes it.
     pub(in crate::export) fn is_lit(&self) -> bool {
         matches!(self, Self::Lit { .. })
+    }
+}
+
+/// How a surface sends rays on, and so shows what they see.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::export) enum Way {
+    /// This and nothing else.
+    Mirror { reflectance: Triple, schlick: bool },
+    /// This and nothing else.
+    Glass { ior: f64, tint: Triple, schlick: bool },
+    /// Beside its own light.
+    Sum { reflect: Triple, transmit: Triple, ior: f64, schlick: bool },
+    /// Over its own light, from outside.
+    Glaze { ior: f64, schlick: bool },
+}
+
+impl Way {
+    /// That of a material which is not a name; none for one that sends no rays on.
+    pub(super) fn of(material: &Material) -> Option<Self> {
+        match *material {
+            Material::Mirror { reflectance, schlick } => {
+                Some(Self::Mirror { reflectance, schlick })
+            }
+            Material::Dielectric { ior, tint, schlick } => Some(Self::Glass { ior, tint, schlick }),
+            Material::Whitted { reflect, transmit, ior, schlick, .. } => {
+                Some(Self::Sum { reflect, transmit, ior, schlick })
+            }
+            Material::Glazed { ior, schlick, .. } => Some(Self::Glaze { ior, schlick }),
+            Material::Named(_)
+            | Material::Constant { .. }
+            | Material::Normal
+            | Material::Lambert { .. }
+            | Material::BlinnPhong { .. } => None,
+        }
+    }
+
+    /// Whether the surface shows light of its own beside.
+    pub(super) fn is_lit(self) -> bool {
+        matches!(self, Self::Sum { .. } | Self::Glaze { .. })
+    }
+
+    /// What it asks for.
+    pub(super) fn asks(self) -> Vec<Feature> {
+        let (feature, schlick) = match self {
+            Self::Mirror { schlick, .. } => (Feature::Mirror, schlick),
+            Self::Glass { schlick, .. } => (Feature::Dielectric, schlick),
+            Self::Sum { schlick, .. } => (Feature::Whitted, schlick),
+            Self::Glaze { schlick, .. } => (Feature::Glazed, schlick),
+        };
+        [Some(feature), schlick.then_some(Feature::Schlick)].into_iter().flatten().collect()
     }
 }
 

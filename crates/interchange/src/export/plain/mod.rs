@@ -14,13 +14,13 @@ mod place;
 mod seen;
 mod solid;
 
-pub(super) use look::Look;
+pub(super) use look::{Look, Way};
 pub(super) use place::Placed;
 pub(super) use solid::{Solid, Triangles, half_of_plane};
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use scene::format::{Falloff, Light, Sampler, Shading, Show, Triple};
+use scene::format::{Falloff, Light, Sampler, Shading, Show, Texture, Triple};
 use scene::{Assets, MeshData, SceneFile};
 use tracer::Camera;
 use tracer::accel::Build;
@@ -54,6 +54,10 @@ pub(super) struct Plain {
     pub(super) needs_gap: bool,
     /// Mesh files by name; those without normals, or shaded flat, keep them all the same.
     pub(super) meshes: BTreeMap<String, MeshData>,
+    /// Texture files by name, as they are.
+    pub(super) textures: BTreeMap<String, Vec<u8>>,
+    /// How many times a ray is sent on.
+    pub(super) bounces: u32,
     /// What it asks of a renderer, as it is here.
     pub(super) asks: BTreeSet<Feature>,
 }
@@ -67,13 +71,20 @@ impl Plain {
         let (lamps, ambient) = lights(file, exposure);
         let mut objects = place::all(file);
         for object in &mut objects {
-            object.look = object.look.clone().plain(file.show, exposure, &lamps, ambient);
+            object.be_shown(file.show, exposure, &lamps, ambient);
         }
-        let mut meshes = BTreeMap::new();
+        let (mut meshes, mut textures) = (BTreeMap::new(), BTreeMap::new());
         for object in &objects {
             if let scene::format::Object::Mesh { file, .. } = &object.shape {
                 let mesh = assets.read(file).and_then(|bytes| scene::read_mesh(file, &bytes));
                 meshes.insert(file.clone(), mesh.map_err(|why| format!("mesh \"{file}\" {why}"))?);
+            }
+            if let Some(Texture::Image { file, .. }) = &object.texture {
+                let bytes = assets.read(file);
+                textures.insert(
+                    file.clone(),
+                    bytes.map_err(|why| format!("texture \"{file}\" {why}"))?,
+                );
             }
         }
         let background = scaled(file.background, exposure);
@@ -89,6 +100,8 @@ impl Plain {
             shadows: file.shadows,
             needs_gap: false,
             meshes,
+            textures,
+            bounces: file.bounces,
             asks: BTreeSet::new(),
         };
         seen::note(&mut plain, &scene);
@@ -106,14 +119,12 @@ impl Plain {
         if cannot.is_empty() { Ok(()) } else { Err(cannot) }
     }
 
-    /// The features of the file, with those of materials, lights and pictures as
-    /// they are after all that was said otherwise.
+    /// The features of the file, with those of materials, textures, lights and
+    /// pictures as they are after all that was said otherwise.
     fn asks<C>(&self, file: &SceneFile<C>) -> BTreeSet<Feature> {
         let kept = |feature: &Feature| {
-            matches!(
-                feature.family(),
-                "cameras" | "shapes" | "mirrors and glass" | "textures" | "samples"
-            ) && *feature != Feature::Group
+            matches!(feature.family(), "cameras" | "shapes" | "samples")
+                && *feature != Feature::Group
         };
         let mut asks: BTreeSet<_> =
             crate::feature::features(file).into_iter().filter(kept).collect();

@@ -1,10 +1,11 @@
 //! `Placed`: an object out of its groups, with its transform and its look.
 
 use scene::SceneFile;
-use scene::format::{Material, Object, Show, Transform};
+use scene::format::{Material, Object, Show, Texture, Transform, Triple};
 use tracer::glam::{DAffine3, DMat3, DVec3};
 
-use super::look::{Look, numbered};
+use super::Lamp;
+use super::look::{Look, Way, numbered};
 use crate::Feature;
 
 /// An object out of its groups.
@@ -17,9 +18,14 @@ pub(in crate::export) struct Placed {
     /// The same as one map.
     pub(in crate::export) world_from_object: DAffine3,
     pub(in crate::export) look: Look,
+    /// What multiplies the look's own color from place to place.
+    pub(in crate::export) texture: Option<Texture>,
+    /// How it sends rays on.
+    pub(in crate::export) way: Option<Way>,
     /// Whether a sample of the picture sees it from behind its normal.
     pub(in crate::export) back_is_seen: bool,
-    /// Whether one sees a highlight of a light that is behind the surface.
+    /// Whether one sees a highlight of a light that is behind the surface, or
+    /// on its back.
     pub(in crate::export) glows_from_behind: bool,
     /// Of a plane: how far from its point the picture or its shadows need it.
     pub(in crate::export) reach: f64,
@@ -44,6 +50,23 @@ impl Placed {
         Self { world_from_object: DAffine3::IDENTITY, steps: Vec::new(), ..self.clone() }
     }
 
+    /// Turns its look into that of a picture of this kind.
+    pub(super) fn be_shown(&mut self, show: Show, exposure: f64, lamps: &[Lamp], ambient: Triple) {
+        /// What a mirror shows by itself, and glass.
+        const NOTHING: Look = Look::Constant([0.0; 3]);
+        if show != Show::Shaded {
+            self.way = None;
+        }
+        self.look = match self.way {
+            Some(way) if !way.is_lit() => NOTHING,
+            _ => self.look.clone().plain(show, exposure, lamps, ambient),
+        };
+        let has_colors = matches!(self.look, Look::Constant(_) | Look::Lit { .. });
+        if !matches!(show, Show::Shaded | Show::SurfaceColor) || !has_colors {
+            self.texture = None;
+        }
+    }
+
     /// What it asks for beside its shape.
     pub(super) fn asks(&self) -> Vec<Feature> {
         let is_round = match &self.shape {
@@ -56,6 +79,7 @@ impl Placed {
             _ => false,
         };
         let mut asks = match &self.look {
+            Look::Constant(_) if self.way.is_some_and(|way| !way.is_lit()) => Vec::new(),
             Look::Constant(_) => vec![Feature::Constant],
             // A color that goes from 0 to 1 in every other language.
             Look::Normal(by) if *by != 1.0 => vec![Feature::NormalMaterial, Feature::Exposure],
@@ -69,6 +93,11 @@ impl Placed {
                 asks
             }
         };
+        asks.extend(self.way.into_iter().flat_map(Way::asks));
+        asks.extend(self.texture.as_ref().map(|texture| match texture {
+            Texture::Checker { .. } => Feature::CheckerTexture,
+            Texture::Image { .. } => Feature::ImageTexture,
+        }));
         if is_round && !is_similarity(self.world_from_object.matrix3) {
             asks.push(Feature::StretchedRound);
         }
@@ -116,33 +145,23 @@ fn below<C>(
             below(file, objects, &steps, material, all);
             continue;
         }
+        let material = material.and_then(|material| file.resolved(material));
         let look = match file.show {
             Show::ObjectIds => numbered(all.len()),
-            _ => Look::of(resolved(file, material), file.shading),
+            _ => Look::of(material, file.shading),
         };
         all.push(Placed {
             shape: object.clone(),
             world_from_object: composed(steps),
             steps: steps.to_vec(),
             look,
+            texture: material.and_then(Material::texture).cloned(),
+            way: material.and_then(Way::of),
             back_is_seen: false,
             glows_from_behind: false,
             reach: 0.0,
         });
     }
-}
-
-/// What a name stands for.
-fn resolved<'a, C>(
-    file: &'a SceneFile<C>,
-    mut material: Option<&'a Material>,
-) -> Option<&'a Material> {
-    // A circle of names is a problem that was told before; this ends in any case.
-    for _ in 0..=file.materials.len() {
-        let Some(Material::Named(name)) = material else { break };
-        material = file.materials.get(name);
-    }
-    material
 }
 
 /// Steps, first to last, as one map.

@@ -1,9 +1,9 @@
-//! What the samples of a picture see of its surfaces: a dialect may shade
-//! front sides as goldray does, and back sides not.
+//! What the samples of a picture see of its surfaces, in mirrors and through glass
+//! too: a dialect may shade front sides as goldray does, and back sides not.
 
 use scene::format::{Falloff, Object, Shading};
 use tracer::glam::DVec3;
-use tracer::{Hit, Interval, Ray, Scene, UnitVec, pixel_center};
+use tracer::{Hit, Interval, Ray, Scene, UnitVec, pixel_center, rays_sent_on};
 
 use super::look::brightest;
 use super::{Lamp, Look, Plain};
@@ -16,10 +16,21 @@ pub(super) fn note(plain: &mut Plain, scene: &Scene) {
         let b = pixel_center(j, height, camera.view_height());
         for i in 0..width {
             let ray = camera.ray(pixel_center(i, width, camera.view_width()), b);
-            if let Some(hit) = scene.world().intersect(&ray, Interval::AHEAD) {
-                note_hit(plain, scene, &ray, &hit);
-            }
+            follow(plain, scene, &ray, plain.bounces);
         }
+    }
+}
+
+/// Notes what a ray sees that may be sent on `left` times more, and what those see.
+fn follow(plain: &mut Plain, scene: &Scene, ray: &Ray, left: u32) {
+    let Some(hit) = scene.world().intersect(ray, Interval::AHEAD) else { return };
+    note_hit(plain, scene, ray, &hit);
+    let object = plain.objects.get(hit.object.0 as usize);
+    if left == 0 || object.is_none_or(|object| object.way.is_none()) {
+        return;
+    }
+    for onward in rays_sent_on(ray, &hit) {
+        follow(plain, scene, &onward, left - 1);
     }
 }
 
@@ -28,13 +39,14 @@ fn note_hit(plain: &mut Plain, scene: &Scene, ray: &Ray, hit: &Hit) {
     plain.needs_gap = plain.needs_gap || needs_gap(plain, scene, hit);
     let Some(object) = plain.objects.get_mut(hit.object.0 as usize) else { return };
     let n = *hit.shading_normal;
-    object.back_is_seen |= !(n.dot(ray.direction) < 0.0);
+    let is_back = !(n.dot(ray.direction) < 0.0);
+    object.back_is_seen |= is_back;
     let Look::Lit { highlight: Some((specular, exponent)), .. } = object.look else { return };
     // In the radiometric convention highlights are times the cosine, and end with it.
-    if object.glows_from_behind || plain.shading == Shading::Radiometric {
+    if plain.shading == Shading::Radiometric {
         return;
     }
-    let from_behind = |lamp: &Lamp| {
+    let glows = |lamp: &Lamp| {
         /// What of a highlight nobody sees.
         const DARK: f64 = 1e-7;
         let (shadow_ray, range) = towards(lamp, hit);
@@ -49,11 +61,12 @@ fn note_hit(plain: &mut Plain, scene: &Scene, ray: &Ray, hit: &Hit) {
         let unit = |v| UnitVec::new(v).map_or(DVec3::ZERO, |v| *v);
         let (l, v) = (unit(shadow_ray.direction), unit(-ray.direction));
         let glow = n.dot(unit(l + v)).clamp(0.0, 1.0);
-        n.dot(l) <= 0.0
-            && brightest(specular) * libm::pow(glow, exponent) * intensity > DARK
+        brightest(specular) * libm::pow(glow, exponent) * intensity > DARK
             && !(plain.shadows && scene.world().occludes(&shadow_ray, range))
     };
-    object.glows_from_behind = plain.lamps.iter().any(from_behind);
+    let is_behind = |lamp: &Lamp| n.dot(towards(lamp, hit).0.direction) <= 0.0;
+    object.glows_from_behind |=
+        plain.lamps.iter().any(|lamp| (is_back || is_behind(lamp)) && glows(lamp));
 }
 
 /// The ray from a hit to a light, and where on it something is in the way.

@@ -4,42 +4,29 @@
 use scene::format::{Shading, Triple};
 use tracer::Projection;
 
+use super::pigment::Paint;
 use super::triple;
 use crate::export::number;
-use crate::export::plain::{Look, Placed, Plain};
+use crate::export::plain::{Look, Placed, Plain, Way};
 use crate::export::text::scaled;
 
-/// The texture, and that of the back if it is seen.
-pub(super) fn texture(plain: &Plain, object: &Placed) -> String {
-    match &object.look {
-        Look::Constant(color) => unlit(&rgb(*color)),
-        Look::Depth { near, far } => unlit(&depth(plain, *near, *far)),
-        Look::Normal(by) => {
-            let front = unlit(&normals(*by, false));
-            // The normal is turned towards the viewer before it is asked for.
-            let back = unlit(&normals(*by, true));
-            if object.back_is_seen { with_back(&front, &back) } else { front }
+/// The layers of the front, those of the back if it is seen and another, and what
+/// is inside.
+pub(super) fn texture(plain: &Plain, object: &Placed, paint: &Paint) -> String {
+    let mut text = layers(plain, object, paint, false).join("\n  ");
+    let has_sides = matches!(object.look, Look::Normal(_) | Look::Lit { .. })
+        || matches!(object.way, Some(Way::Glaze { .. }));
+    if object.back_is_seen && has_sides {
+        for layer in layers(plain, object, paint, true) {
+            text += "\n  interior_";
+            text += &layer;
         }
-        Look::Lit { diffuse, highlight } => {
-            let lit = |share: &str| {
-                let finish = format!("diffuse {share}{}", emission(plain.ambient));
-                format!("texture {{ {} finish {{ {finish} }} }}", rgb(*diffuse))
-            };
-            let front = match highlight {
-                None => lit("1"),
-                Some(highlight) => shiny(*diffuse, *highlight, plain.ambient),
-            };
-            if !object.back_is_seen {
-                return front;
-            }
-            let back = match plain.shading {
-                // Its backs are dark.
-                Shading::Radiometric => lit("0"),
-                // Lit by what is on the other side: the normal is not turned.
-                Shading::Classic | Shading::Attenuated => lit("0, 1"),
-            };
-            with_back(&front, &back)
+    }
+    match object.way {
+        Some(Way::Glass { ior, .. } | Way::Sum { ior, .. } | Way::Glaze { ior, .. }) => {
+            format!("{text}\n  interior {{ ior {} }}", number(ior))
         }
+        Some(Way::Mirror { .. }) | None => text,
     }
 }
 
@@ -48,17 +35,115 @@ pub(super) fn has_highlight(look: &Look) -> bool {
     matches!(look, Look::Lit { highlight: Some(_), .. })
 }
 
-fn rgb(color: Triple) -> String {
-    format!("pigment {{ rgb {} }}", triple(color))
+/// Whether a highlight is of the light's color.
+pub(super) fn has_gray_highlight(look: &Look) -> bool {
+    matches!(look, Look::Lit { highlight: Some(([r, g, b], _)), .. } if r == g && g == b)
+}
+
+/// Whether light goes through, which in goldray it does not: only eye rays do, and
+/// those that are sent on.
+pub(super) fn is_clear(object: &Placed) -> bool {
+    match object.way {
+        Some(Way::Glass { .. }) => true,
+        Some(Way::Sum { transmit, .. }) => transmit != [0.0; 3],
+        Some(Way::Mirror { .. } | Way::Glaze { .. }) | None => false,
+    }
+}
+
+/// The layers of one side, undermost first.
+fn layers(plain: &Plain, object: &Placed, paint: &Paint, is_back: bool) -> Vec<String> {
+    /// By Fresnel's equations, for the index of what is inside.
+    const FRESNEL: &str = "rgb 0, rgb 1 fresnel on";
+    let through = |pigment: &str, reflection: &str| {
+        // What is reflected does not go through.
+        let finish = format!("reflection {{ {reflection} }} conserve_energy");
+        format!("texture {{ pigment {{ {pigment} }} finish {{ {finish} }} }}")
+    };
+    match object.way {
+        None => own(plain, object, paint, is_back, 0.0),
+        Some(Way::Mirror { reflectance, schlick }) => {
+            let finish = format!("reflection {{ {} }}", grown(reflectance, schlick));
+            vec![format!("texture {{ pigment {{ rgb 0 }} finish {{ {finish} }} }}")]
+        }
+        Some(Way::Glass { tint: [r, g, b], .. }) => {
+            let filter = super::numbers([r, g, b, 1.0], ",");
+            vec![through(&format!("rgbf <{filter}>"), FRESNEL)]
+        }
+        Some(Way::Glaze { ior, schlick }) => {
+            let mut layers = own(plain, object, paint, is_back, 0.0);
+            let straight_on = ((ior - 1.0) / (ior + 1.0)).powi(2);
+            let growing = grown([straight_on; 3], true);
+            if !is_back {
+                layers.push(through("rgbf 1", if schlick { &growing } else { FRESNEL }));
+            }
+            layers
+        }
+        Some(Way::Sum { reflect, transmit, schlick, .. }) => {
+            let mut layers = if is_clear(object) {
+                let [r, g, b] = scaled(transmit, 2.0);
+                let filter = super::numbers([r, g, b, 1.0], ",");
+                let mut layers = vec![format!("texture {{ pigment {{ rgbf <{filter}> }} }}")];
+                layers.extend(own(plain, object, paint, is_back, 0.5));
+                layers
+            } else {
+                own(plain, object, paint, is_back, 0.0)
+            };
+            if reflect != [0.0; 3] {
+                let finish = format!("reflection {{ {} }}", grown(reflect, schlick));
+                layers.push(format!("texture {{ pigment {{ rgbf 1 }} finish {{ {finish} }} }}"));
+            }
+            layers
+        }
+    }
+}
+
+/// A share of what is reflected, by Schlick's law if it grows.
+fn grown(share: Triple, schlick: bool) -> String {
+    let more = if schlick { ", rgb 1 falloff 5" } else { "" };
+    format!("rgb {}{more}", triple(share))
+}
+
+/// The layers of what a side shows by itself, undermost first, of which this share
+/// lets through what is under it, and the rest is as bright as all of it.
+fn own(plain: &Plain, object: &Placed, paint: &Paint, is_back: bool, clear: f64) -> Vec<String> {
+    let bright = (1.0 - clear).recip();
+    match &object.look {
+        Look::Constant(color) => {
+            let finish = format!("emission {}", number(bright));
+            vec![paint.layer(*color, clear, &finish)]
+        }
+        Look::Depth { near, far } => vec![unlit(&depth(plain, *near, *far))],
+        // The normal is turned towards the viewer before it is asked for.
+        Look::Normal(by) => vec![unlit(&normals(*by, is_back))],
+        Look::Lit { diffuse, highlight } => {
+            let share = match (is_back, plain.shading) {
+                (false, _) => number(bright),
+                // Its backs are dark.
+                (true, Shading::Radiometric) => "0".to_owned(),
+                // Lit by what is on the other side: the normal is not turned.
+                (true, Shading::Classic | Shading::Attenuated) => format!("0, {}", number(bright)),
+            };
+            let ambient = scaled(plain.ambient, bright);
+            let lit = |more: &str| {
+                let finish = format!("diffuse {share}{more}{}", emission(ambient));
+                paint.layer(*diffuse, clear, &finish)
+            };
+            match highlight {
+                None => vec![lit("")],
+                // There is one, and it is not seen: that was asked before.
+                Some(_) if is_back => vec![lit("")],
+                Some((specular, exponent)) if has_gray_highlight(&object.look) => {
+                    let (strength, roughness) = (number(specular[0]), number(exponent.recip()));
+                    vec![lit(&format!(" specular {strength} roughness {roughness}"))]
+                }
+                Some(highlight) => shiny(paint, *diffuse, *highlight, plain.ambient),
+            }
+        }
+    }
 }
 
 fn unlit(pigment: &str) -> String {
     format!("texture {{ {pigment} finish {{ emission 1 }} }}")
-}
-
-fn with_back(front: &str, back: &str) -> String {
-    let back = back.replace("texture {", "interior_texture {");
-    format!("{front}\n  {back}")
 }
 
 /// The share of the ambient light that a surface gives back is its pigment's.
@@ -69,30 +154,24 @@ fn emission(ambient: Triple) -> String {
 /// A highlight is of the light's color. One that has a color of its own is a
 /// layer of its own, seen through a layer that filters and one that scatters:
 /// the last lets half of it through, and is half opaque.
-fn shiny(diffuse: Triple, (specular, exponent): (Triple, f64), ambient: Triple) -> String {
-    let roughness = number(exponent.recip());
+fn shiny(
+    paint: &Paint,
+    diffuse: Triple,
+    (specular, exponent): (Triple, f64),
+    ambient: Triple,
+) -> Vec<String> {
     let [r, g, b] = specular;
-    if r == g && g == b {
-        let strength = number(r);
-        let finish = format!("diffuse 1 specular {strength} roughness {roughness}");
-        return format!(
-            "texture {{ {} finish {{ {finish}{} }} }}",
-            rgb(diffuse),
-            emission(ambient)
-        );
-    }
     let most = r.max(g).max(b);
     let [r, g, b] = scaled(specular, most.recip());
     let filter = super::numbers([r, g, b, 1.0], ",");
-    let [r, g, b] = diffuse;
-    let half = super::numbers([r, g, b, 0.5], ",");
-    format!(
-        "texture {{ pigment {{ rgb 0 }} finish {{ specular {} roughness {roughness} }} }}\n  \
-         texture {{ pigment {{ rgbf <{filter}> }} }}\n  \
-         texture {{ pigment {{ rgbt <{half}> }} finish {{ diffuse 2{} }} }}",
-        number(2.0 * most),
-        emission(scaled(ambient, 2.0))
-    )
+    let (strength, roughness) = (number(2.0 * most), number(exponent.recip()));
+    vec![
+        format!(
+            "texture {{ pigment {{ rgb 0 }} finish {{ specular {strength} roughness {roughness} }} }}"
+        ),
+        format!("texture {{ pigment {{ rgbf <{filter}> }} }}"),
+        paint.layer(diffuse, 0.5, &format!("diffuse 2{}", emission(scaled(ambient, 2.0)))),
+    ]
 }
 
 /// `(n + 1) / 2` in each channel, times a number. The value of a slope is an

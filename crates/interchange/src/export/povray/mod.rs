@@ -5,6 +5,7 @@
 //! conventions and how they were measured.
 
 mod look;
+mod pigment;
 mod shape;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,7 +15,7 @@ use scene::format::{Falloff, Shading, Triple};
 use tracer::Projection;
 use tracer::glam::DVec3;
 
-use super::plain::{Lamp, Plain};
+use super::plain::{Lamp, Plain, Way};
 use super::text::{numbers, put, scaled, vector};
 use super::{Exported, number};
 use crate::Feature;
@@ -52,6 +53,13 @@ const CAN: &[Feature] = &[
     Feature::Lambert,
     Feature::BlinnPhong,
     Feature::ColoredHighlight,
+    Feature::Mirror,
+    Feature::Dielectric,
+    Feature::Whitted,
+    Feature::Glazed,
+    Feature::Schlick,
+    Feature::CheckerTexture,
+    Feature::ImageTexture,
     Feature::ConstantPointLight,
     Feature::InverseSquarePointLight,
     Feature::DirectionalLight,
@@ -69,30 +77,47 @@ const CAN: &[Feature] = &[
 ];
 
 /// # Errors
-/// What POV-Ray has no words for. Its highlights are never times the cosine,
-/// and there is none on a back side.
+/// What POV-Ray has no words for. Its highlights are never times the cosine; its
+/// glass has Fresnel's equations.
 pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     plain.asks_only(CAN)?;
     let has_highlights = plain.asks.contains(&Feature::BlinnPhong);
     if has_highlights && plain.shading == Shading::Radiometric {
         return Err([Feature::BlinnPhong, Feature::Radiometric].into());
     }
+    let mut files = BTreeMap::new();
     let mut text = head(plain);
     for lamp in &plain.lamps {
         text += &light(plain, lamp);
     }
-    for object in &plain.objects {
-        if object.back_is_seen && look::has_highlight(&object.look) {
-            return Err([Feature::BlinnPhong, Feature::BackSides].into());
+    for (number, object) in plain.objects.iter().enumerate() {
+        if matches!(object.way, Some(Way::Glass { schlick: true, .. })) {
+            return Err([Feature::Dielectric, Feature::Schlick].into());
         }
-        let shape = shape::shape(plain, object);
-        let look = look::texture(plain, object);
-        let no_shadow = if plain.shadows { "" } else { " no_shadow" };
-        put(&mut text, format_args!("{shape}{}\n  {look}{no_shadow}\n}}\n", shape::matrix(object)));
+        if look::is_clear(object)
+            && look::has_highlight(&object.look)
+            && !look::has_gray_highlight(&object.look)
+        {
+            return Err([Feature::Whitted, Feature::ColoredHighlight].into());
+        }
+        let paint = pigment::Paint::of(plain, object, number, &mut files);
+        text += &paint.declared;
+        let shape = shape::shape(plain, object) + &shape::matrix(object);
+        let look = look::texture(plain, object, &paint);
+        let is_clear = look::is_clear(object);
+        let no_shadow = if plain.shadows && !is_clear { "" } else { " no_shadow" };
+        put(&mut text, format_args!("{shape}\n  {look}{no_shadow}\n}}\n"));
+        if is_clear && plain.shadows {
+            // Where light would shine through, another one stands that only casts a shadow.
+            put(&mut text, format_args!("{shape}\n  {BLACK} no_image no_reflection\n}}\n"));
+        }
     }
-    let files = BTreeMap::from([(MAIN.to_owned(), text.into_bytes())]);
+    files.insert(MAIN.to_owned(), text.into_bytes());
     Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside: BTreeSet::new() })
 }
+
+/// What shows nothing.
+const BLACK: &str = "texture { pigment { rgb 0 } }";
 
 fn head(plain: &Plain) -> String {
     let camera = &plain.camera;
@@ -106,9 +131,12 @@ fn head(plain: &Plain) -> String {
     } else {
         format!("background {{ rgb {} }}\n", triple(plain.background))
     };
+    let sends = plain.objects.iter().any(|object| object.way.is_some());
+    // The eye ray is the first; and none is dropped for being dark.
+    let levels = if sends { format!("{} adc_bailout 0", plain.bounces + 1) } else { "1".into() };
     format!(
         "#version 3.7;\n\
-         global_settings {{ assumed_gamma 1 ambient_light 1 max_trace_level 1 }}\n\
+         global_settings {{ assumed_gamma 1 ambient_light 1 max_trace_level {levels} }}\n\
          #default {{ finish {{ ambient 0 diffuse 0 }} }}\n\
          camera {{{kind}\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n{background}",
         point(camera.eye()),

@@ -2,6 +2,7 @@
 
 use scene::format::{Object, Triple};
 use tracer::glam::DVec3;
+use tracer::shape::MeshUvs;
 
 use super::{point, triple};
 use crate::export::number;
@@ -38,7 +39,7 @@ pub(super) fn shape(plain: &Plain, object: &Placed) -> String {
         }
         // In its own space: what stretches a mesh must not stretch its normals first.
         Object::Mesh { .. } => match object.in_own_space().solid(plain) {
-            Solid::Triangles(triangles) => mesh(&triangles),
+            Solid::Triangles(triangles) => mesh(&triangles, uvs(plain, object)),
             _ => String::new(),
         },
         // `Placed` is none.
@@ -72,7 +73,14 @@ fn torus(center: Triple, axis: Triple, radii: [f64; 2]) -> String {
     format!("{torus} matrix <{}>", numbers(rows, ","))
 }
 
-fn mesh(Triangles { corners, normals, faces }: &Triangles) -> String {
+/// Texture coordinates of a mesh that has a texture.
+fn uvs<'a>(plain: &'a Plain, object: &Placed) -> Option<&'a MeshUvs> {
+    let Object::Mesh { file, .. } = &object.shape else { return None };
+    object.texture.as_ref()?;
+    plain.meshes.get(file)?.uvs.as_ref().ok()
+}
+
+fn mesh(Triangles { corners, normals, faces }: &Triangles, uvs: Option<&MeshUvs>) -> String {
     let vectors = |name: &str, all: &[DVec3]| {
         let list: Vec<_> = all.iter().map(|v| point(*v)).collect();
         format!("\n  {name} {{ {}, {} }}", all.len(), list.join(","))
@@ -82,7 +90,17 @@ fn mesh(Triangles { corners, normals, faces }: &Triangles) -> String {
     if !normals.is_empty() {
         text += &vectors("normal_vectors", normals);
     }
-    let list: Vec<_> = faces.iter().map(|[a, b, c]| format!("<{a},{c},{b}>")).collect();
-    put(&mut text, format_args!("\n  face_indices {{ {}, {} }}", faces.len(), list.join(",")));
+    let indices = |name: &str, faces: &[[u32; 3]]| {
+        let list: Vec<_> = faces.iter().map(|[a, b, c]| format!("<{a},{c},{b}>")).collect();
+        format!("\n  {name} {{ {}, {} }}", faces.len(), list.join(","))
+    };
+    if let Some(MeshUvs { uvs, .. }) = uvs {
+        let list: Vec<_> = uvs.iter().map(|uv| format!("<{}>", numbers(*uv, ","))).collect();
+        put(&mut text, format_args!("\n  uv_vectors {{ {}, {} }}", uvs.len(), list.join(",")));
+    }
+    text += &indices("face_indices", faces);
+    if let Some(MeshUvs { faces, .. }) = uvs {
+        text += &indices("uv_indices", faces);
+    }
     text
 }

@@ -103,6 +103,32 @@ fn what_the_samples_see_is_asked_for() {
 }
 
 #[test]
+fn what_is_seen_in_mirrors_counts() {
+    // The disk turns its back to the mirror behind it, and its front to the eye,
+    // which looks aslant.
+    let behind = "Plane(point: (0, 0, -2), normal: (0, 0, 1)";
+    let fields = |material: &str| {
+        format!(
+            "camera: Parallel(view_point: (0, 3, 3), view_dir: (0, -1, -1), view_width: 8, \
+             view_height: 6), lights: [Point(position: (0, 0, 9))], objects: [\
+             Disk(center: (0, 0, 0), normal: (0, 0, 1), radius: 1), {behind}, material: {material})]"
+        )
+    };
+    asks(&fields("Lambert()"), Feature::BackSides, false);
+    asks(&fields("Mirror()"), Feature::BackSides, true);
+    asks(&format!("{}, bounces: 0", fields("Mirror()")), Feature::BackSides, false);
+    asks(&fields("Mirror(reflectance: (0, 0, 0))"), Feature::BackSides, false);
+    // A picture of surfaces' own colors sends no rays on.
+    let own = format!("{}, show: SurfaceColor", fields("Mirror(reflectance: (1, 0, 0))"));
+    asks(&own, Feature::Mirror, false);
+    looks(&own, &[Look::Constant([1.0; 3]), Look::Constant([1.0, 0.0, 0.0])]);
+    // In glass from the other side: through a ball without refraction.
+    let glass = fields("Dielectric(ior: 1)");
+    asks(&glass, Feature::BackSides, false);
+    asks(&glass, Feature::Dielectric, true);
+}
+
+#[test]
 fn the_gap_before_shadows_is_asked_for_where_it_is_seen() {
     let near = |z| {
         format!(

@@ -160,14 +160,148 @@ fn backs_are_written_where_they_are_seen() {
 }
 
 #[test]
+fn mirrors_and_glass() {
+    let look = |material: &str, expected: &[&str]| {
+        let made_of = format!("radius: 1, material: {material}");
+        check(&LIT.replace("radius: 1", &made_of), "texture", expected);
+    };
+    look(
+        "Mirror(reflectance: (0.5, 0.25, 1))",
+        &["  texture { pigment { rgb 0 } finish { reflection { rgb <0.5,0.25,1> } } }"],
+    );
+    look(
+        "Mirror(reflectance: (0.5, 0.25, 1), schlick: true)",
+        &[
+            "  texture { pigment { rgb 0 } finish { reflection { rgb <0.5,0.25,1>, rgb 1 falloff 5 } } }",
+        ],
+    );
+    let fresnel = "finish { reflection { rgb 0, rgb 1 fresnel on } conserve_energy } }";
+    // It casts a shadow by another one, which is not seen.
+    look(
+        "Dielectric(ior: 1.5, tint: (1, 0.5, 1))",
+        &[
+            &format!("  texture {{ pigment {{ rgbf <1,0.5,1,1> }} {fresnel}"),
+            "  texture { pigment { rgb 0 } } no_image no_reflection",
+        ],
+    );
+    let lit = "  texture { pigment { rgb <1,1,1> } finish { diffuse 1 } }";
+    look("Glazed(ior: 1.5)", &[lit, &format!("  texture {{ pigment {{ rgbf 1 }} {fresnel}")]);
+    look(
+        "Glazed(ior: 3, schlick: true)",
+        &[
+            lit,
+            "  texture { pigment { rgbf 1 } finish { reflection { rgb <0.25,0.25,0.25>, rgb 1 \
+             falloff 5 } conserve_energy } }",
+        ],
+    );
+    let reflecting = "  texture { pigment { rgbf 1 } finish { reflection { rgb <0.5,0.5,0.5> } } }";
+    look("Whitted(reflect: (0.5, 0.5, 0.5))", &[lit, reflecting]);
+    look(
+        "Whitted(reflect: (0.5, 0.5, 0.5), transmit: (0.25, 0, 0), ior: 1.5)",
+        &[
+            "  texture { pigment { rgbf <0.5,0,0,1> } }",
+            "  texture { pigment { rgbt <1,1,1,0.5> } finish { diffuse 2 } }",
+            reflecting,
+            "  texture { pigment { rgb 0 } } no_image no_reflection",
+        ],
+    );
+    let glass = LIT.replace("radius: 1", "radius: 1, material: Dielectric(ior: 1.5)");
+    check(&glass, "interior", &["  interior { ior 1.5 } no_shadow"]);
+    check(&format!("{glass}, shadows: false"), "interior", &["  interior { ior 1.5 } no_shadow"]);
+    let levels = |fields: &str| lines(fields, "global_settings").concat();
+    assert!(levels(LIT).ends_with("max_trace_level 1 }"));
+    assert!(levels(&glass).ends_with("max_trace_level 6 adc_bailout 0 }"));
+    assert!(levels(&format!("{glass}, bounces: 2")).ends_with("max_trace_level 3 adc_bailout 0 }"));
+}
+
+#[test]
+fn textures() {
+    let made_of = |shape: &str, material: &str| {
+        format!("objects: [{}]", shape.replace("material", &format!("material: {material}")))
+    };
+    let constant = |texture: &str| format!("Constant(color: (1, 2, 3), texture: {texture})");
+    let wall = "Plane(point: (1, 2, 3), normal: (0, 0, 1), material)";
+    let checker = "Checker(a: (1, 1, 1), b: (0, 0, 1), scale: (2, 1), offset: (0, 0.5))";
+    let u = "((2)*((1)*(x-(1))+(0)*(y-(2))+(0)*(z-(3)))+(0))";
+    let v = "((1)*((0)*(x-(1))+(1)*(y-(2))+(0)*(z-(3)))+(0.5))";
+    check(
+        &made_of(wall, &constant(checker)),
+        "texture",
+        &[&format!(
+            "  texture {{ pigment {{ function {{ 0.25+0.5*abs(mod(floor({u})+floor({v}),2)) }} \
+             color_map {{ [0.5 rgb <1,2,3>] [0.5 rgb <0,0,3>] }} }} finish {{ emission 1 }} }}"
+        )],
+    );
+    let ball = "Sphere(center: (1, 0, 0), radius: 2, material)";
+    let in_group = made_of(
+        &format!("Group(transform: [Translate(4, 5, 6)], objects: [{ball}])"),
+        &constant(checker),
+    );
+    let text = lines(&in_group, "texture").concat();
+    assert!(text.contains("0.5+atan2((x-(1)),(z-(0)))/6.283185307179586"), "{text}");
+    let placed = "[0.5 rgb <0,0,3>] } matrix <1,0,0,0,1,0,0,0,1,4,5,6> }";
+    assert!(text.contains(placed), "{text}");
+    // What shows no texture asks for none.
+    for show in ["Silhouette", "Normals", "ObjectIds"] {
+        let text = main_of(Dialect::PovRay, &format!("{in_group}, show: {show}"));
+        assert!(!text.contains("function { 0.25"), "{text}");
+    }
+    let text = main_of(Dialect::PovRay, &format!("{in_group}, show: SurfaceColor"));
+    assert!(text.contains("function { 0.25"), "{text}");
+}
+
+#[test]
+fn pictures_are_written_beside() {
+    let fields = "objects: [Plane(point: (0, 0, 0), normal: (0, 0, 1), material: Lambert(texture: \
+                  Image(file: \"a.png\", wrap: Clamp, filter: Nearest, encoding: Linear)))], \
+                  lights: [Point(position: (0, 0, 4))]";
+    let assets = BTreeMap::from([("a.png".to_owned(), png_with_gamma())]);
+    let exported = export(Dialect::PovRay, &read(fields), &assets).unwrap();
+    let text = text(&exported, &exported.main);
+    let declared = "#declare Texture0 = function { pigment { image_map { png \"texture-0.png\" \
+                    gamma 1.0 } } }";
+    assert!(text.contains(declared), "{text}");
+    // Of a picture two wide and one high: to the middles of its outer texels.
+    for part in ["min(0.75,max(0.25,", "min(0.5,max(0.5,", "[1 rgb <6,0,0>]", "diffuse 1"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let written = &exported.files["texture-0.png"];
+    let read = |bytes: &[u8]| {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut codes = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut codes).unwrap();
+        (bytes.windows(4).any(|name| name == b"gAMA"), codes)
+    };
+    assert_eq!(read(&png_with_gamma()), (true, vec![1, 2, 3, 4, 5, 6]));
+    assert_eq!(read(written), (false, vec![1, 2, 3, 4, 5, 6]));
+}
+
+/// Two pixels that say of themselves how bright they are.
+fn png_with_gamma() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_source_gamma(png::ScaledFloat::new(0.75));
+    encoder.write_header().unwrap().write_image_data(&[1, 2, 3, 4, 5, 6]).unwrap();
+    bytes
+}
+
+#[test]
 fn what_it_cannot_say_is_refused() {
     let glossy = "radius: 1, material: BlinnPhong(specular: (1, 1, 1), exponent: 2)";
     let radiometric = format!("{}, shading: Radiometric", LIT.replace("radius: 1", glossy));
     refused(Dialect::PovRay, &radiometric, &[Feature::BlinnPhong, Feature::Radiometric]);
     let back = "objects: [Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1)], \
-                lights: [Point(position: (0, 0, -4))]";
+                lights: [Point(position: (0, 0, -6))]";
     let back = back.replace("radius: 1", glossy);
-    refused(Dialect::PovRay, &back, &[Feature::BlinnPhong, Feature::BackSides]);
+    refused(Dialect::PovRay, &back, &[Feature::HighlightFromBehind]);
+    let glass = "radius: 1, material: Dielectric(ior: 1.5, schlick: true)";
+    let glass = LIT.replace("radius: 1", glass);
+    refused(Dialect::PovRay, &glass, &[Feature::Dielectric, Feature::Schlick]);
+    let colored =
+        "radius: 1, material: Whitted(specular: (1, 0, 0), exponent: 1e3, transmit: (1, 1, 1))";
+    let colored = LIT.replace("radius: 1", colored);
+    refused(Dialect::PovRay, &colored, &[Feature::Whitted, Feature::ColoredHighlight]);
     let low = "objects: [Disk(center: (0, 0, 0), normal: (0, 0, 1), radius: 1)], \
                lights: [Point(position: (9, 0, -1))]";
     refused(Dialect::PovRay, &low.replace("radius: 1", glossy), &[Feature::HighlightFromBehind]);
