@@ -1,8 +1,8 @@
 """A small ray-cast picture of a goldray scene, with the rays of Embree.
 
-Reads goldray's JSON dialect, writes a PFM picture. The rays, what they meet first and what is
-in the way of lights are Embree's, in single precision; camera, shading and the rest are this
-file's, in double precision, from the hit's triangle and weights.
+Reads goldray's JSON dialect, writes a PFM picture. Which triangle a ray meets first and what is
+in the way of lights are Embree's answers, in single precision; camera, the place on the triangle,
+shading and the rest are this file's, in double precision.
 
 Needs the packages embreex and numpy. Call: render.py SCENE.json OUTPUT.pfm
 """
@@ -279,6 +279,18 @@ def shade(scene, triangles, embree, size, points, sides, normals, views, numbers
     return colors
 
 
+def weights(corners, origins, directions):
+    """Where rays meet the triangles that Embree found, by the weights of the second and the third
+    corner. Its own are of single precision, and highlights show it."""
+    to_b, to_c = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    across = np.cross(directions, to_c)
+    volume = dot(to_b, across)
+    from_a = origins - corners[:, 0]
+    beta = dot(from_a, across) / volume
+    gamma = dot(directions, np.cross(from_a, to_b)) / volume
+    return beta[:, None], gamma[:, None]
+
+
 def picture(scene, folder):
     width, height = scene["image"]
     triangles = Triangles(scene, folder)
@@ -291,7 +303,7 @@ def picture(scene, folder):
         found = embree.run(origins.astype(np.float32), directions.astype(np.float32), output=True)
         hit = found["primID"] >= 0
         numbers = found["primID"][hit]
-        beta, gamma = (found[k][hit].astype(float)[:, None] for k in "uv")
+        beta, gamma = weights(triangles.corners[numbers], origins[hit], directions[hit])
         mix = lambda three: (1 - beta - gamma) * three[:, 0] + beta * three[:, 1] + gamma * three[:, 2]
         corners = triangles.corners[numbers]
         points, normals = mix(corners), unit(mix(triangles.normals[numbers]))
