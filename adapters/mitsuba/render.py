@@ -152,17 +152,24 @@ class Point(mi.Emitter):
 
 
 class Direct(mi.SamplingIntegrator):
-    """Asks every light that has a place or a direction, where Mitsuba's own asks one by chance."""
+    """Asks every light that has a place or a direction, where Mitsuba's own asks one by chance,
+    and follows every ray that a mirror or glass sends on, `bounces` times, where Mitsuba's own
+    follows one by chance.
+    """
 
     def __init__(self, props):
         super().__init__(props)
         self.shadows = props.get("shadows", True)
         self.background = numbers(props, "background", 0.0)
+        self.bounces = props.get("bounces", 0)
 
     def sample(self, scene, sampler, ray, medium=None, active=True):
+        return self.radiance(scene, ray, self.bounces), True, []
+
+    def radiance(self, scene, ray, left):
         si = scene.ray_intersect(ray)
         if not si.is_valid():
-            return self.background, True, []
+            return self.background
         emitter = si.emitter(scene)
         radiance = mi.Color3f(0) if emitter is None else mi.Color3f(emitter.eval(si))
         bsdf = si.bsdf(ray)
@@ -174,7 +181,16 @@ class Direct(mi.SamplingIntegrator):
             # The ray starts off the surface on the light's side of it.
             if max(value) > 0 and not (self.shadows and scene.ray_test(si.spawn_ray_to(ds.p))):
                 radiance += value
-        return radiance, True, []
+        if left == 0 or not mi.has_flag(bsdf.flags(), mi.BSDFFlags.Delta):
+            return radiance
+        for component in range(bsdf.component_count()):
+            # As importance: radiance would be scaled by the square of the index.
+            ctx = mi.BSDFContext(mi.TransportMode.Importance, mi.BSDFFlags.All, component)
+            way, share = bsdf.sample(ctx, si, 0.5, mi.Point2f(0.5, 0.5))
+            if max(share) > 0:
+                onward = si.spawn_ray(si.to_world(way.wo))
+                radiance += share * self.radiance(scene, onward, left - 1)
+        return radiance
 
     def to_string(self):
         return "Direct[]"

@@ -5,12 +5,18 @@ use std::f64::consts::PI;
 use scene::format::{Shading, Triple};
 use tracer::Projection;
 
-use super::xml::{boolean, color, float, vector3};
-use crate::export::plain::{Look, Placed, Plain};
+use super::xml::{boolean, color, float, string, vector3};
+use crate::export::plain::{Look, Placed, Plain, Way};
 use crate::export::text::{scaled, times};
 
 /// What is inside of a shape beside its numbers.
 pub(super) fn look(plain: &Plain, object: &Placed) -> String {
+    match object.way {
+        Some(Way::Mirror { reflectance, .. }) => return mirror(reflectance),
+        Some(Way::Glass { ior, tint, .. }) => return glass(ior, tint),
+        // It has no words for these; that was asked before.
+        Some(Way::Sum { .. } | Way::Glaze { .. }) | None => {}
+    }
     match &object.look {
         Look::Constant(rgb) => DARK.to_owned() + &glow(*rgb),
         Look::Normal(by) => DARK.to_owned() + &emitter("goldray_normals", &float("scale", *by)),
@@ -37,6 +43,24 @@ pub(super) fn glows(plain: &Plain, object: &Placed) -> bool {
 
 /// What scatters nothing.
 const DARK: &str = "<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0, 0, 0\"/></bsdf>";
+
+/// From both sides.
+fn mirror(reflectance: Triple) -> String {
+    format!(
+        "<bsdf type=\"twosided\"><bsdf type=\"conductor\">{}{}</bsdf></bsdf>",
+        string("material", "none"),
+        color("specular_reflectance", reflectance)
+    )
+}
+
+fn glass(ior: f64, tint: Triple) -> String {
+    format!(
+        "<bsdf type=\"dielectric\">{}{}{}</bsdf>",
+        float("int_ior", ior),
+        float("ext_ior", 1.0),
+        color("specular_transmittance", tint)
+    )
+}
 
 /// Mitsuba's own emitters of shapes shine from the front only, and on others.
 fn glow(rgb: Triple) -> String {

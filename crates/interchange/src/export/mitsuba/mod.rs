@@ -16,10 +16,10 @@ use std::f64::consts::PI;
 use scene::format::{Falloff, Shading, Triple};
 
 use super::Exported;
-use super::plain::{Lamp, Look, Plain};
+use super::plain::{Lamp, Look, Plain, Way};
 use super::text::{scaled, spaced, vector};
 use crate::Feature;
-use xml::{boolean, color, vector3};
+use xml::{boolean, color, integer, vector3};
 
 /// The name of the scene's file.
 const MAIN: &str = "scene.xml";
@@ -41,6 +41,8 @@ const CAN: &[Feature] = &[
     Feature::Lambert,
     Feature::BlinnPhong,
     Feature::ColoredHighlight,
+    Feature::Mirror,
+    Feature::Dielectric,
     Feature::ConstantPointLight,
     Feature::InverseSquarePointLight,
     Feature::DirectionalLight,
@@ -77,6 +79,10 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
             // Of its two sides in one place either may be met.
             return Err([Feature::Box, Feature::NormalMaterial].into());
         }
+        if object.is_flat_box() && matches!(object.way, Some(Way::Glass { .. })) {
+            // The one would be met, and the other not.
+            return Err([Feature::Box, Feature::Dielectric].into());
+        }
         let look = look::look(plain, object);
         text += &shape::shape(&object.solid(plain), &look, &mut files);
     }
@@ -86,7 +92,8 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
 }
 
 /// Mitsuba's own integrator asks one light for each sample, by chance: with more
-/// than one, or with surfaces that glow, ours asks all of them.
+/// than one, or with surfaces that glow, ours asks all of them. It also follows all
+/// rays that are sent on.
 fn integrator(plain: &Plain) -> String {
     let glows = plain.objects.iter().any(|object| look::glows(plain, object));
     let is_plain =
@@ -96,8 +103,10 @@ fn integrator(plain: &Plain) -> String {
                 <integer name=\"bsdf_samples\" value=\"0\"/>\n</integrator>\n"
             .to_owned();
     }
+    let sends = plain.objects.iter().any(|object| object.way.is_some());
+    let bounces = if sends { integer("bounces", plain.bounces) } else { String::new() };
     format!(
-        "<integrator type=\"goldray_direct\">{}{}</integrator>\n",
+        "<integrator type=\"goldray_direct\">{}{}{bounces}</integrator>\n",
         boolean("shadows", plain.shadows),
         vector3("background", plain.background)
     )

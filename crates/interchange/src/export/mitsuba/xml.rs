@@ -13,6 +13,10 @@ pub(super) fn boolean(name: &str, x: bool) -> String {
     format!("<boolean name=\"{name}\" value=\"{x}\"/>")
 }
 
+pub(super) fn integer(name: &str, x: u32) -> String {
+    format!("<integer name=\"{name}\" value=\"{x}\"/>")
+}
+
 pub(super) fn string(name: &str, x: &str) -> String {
     format!("<string name=\"{name}\" value=\"{x}\"/>")
 }

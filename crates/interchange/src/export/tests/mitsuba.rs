@@ -42,6 +42,33 @@ fn what_mitsuba_has_plugins_for_is_said_by_them() {
 }
 
 #[test]
+fn mirrors_and_glass_send_every_ray_on() {
+    let made_of =
+        |material: &str| LIT.replace("radius: 1", &format!("radius: 1, material: {material}"));
+    has(
+        &made_of("Mirror(reflectance: (1, 0.5, 0))"),
+        &[
+            "<integrator type=\"goldray_direct\">",
+            "<integer name=\"bounces\" value=\"5\"/>",
+            "<bsdf type=\"twosided\"><bsdf type=\"conductor\">\
+             <string name=\"material\" value=\"none\"/>\
+             <rgb name=\"specular_reflectance\" value=\"1, 0.5, 0\"/></bsdf></bsdf>",
+        ],
+    );
+    has(
+        &made_of("Dielectric(ior: 1.5, tint: (1, 0.5, 0))"),
+        &["<bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"1.5\"/>\
+             <float name=\"ext_ior\" value=\"1\"/>\
+             <rgb name=\"specular_transmittance\" value=\"1, 0.5, 0\"/></bsdf>"],
+    );
+    has_not(LIT, "bounces");
+    let mirror = made_of("Mirror(schlick: true)");
+    refused(Dialect::Mitsuba, &mirror, &[Feature::Schlick]);
+    let pane = "objects: [Box(min: (-1, -1, 0), max: (1, 1, 0), material: Dielectric(ior: 1.5))]";
+    refused(Dialect::Mitsuba, pane, &[Feature::Box, Feature::Dielectric]);
+}
+
+#[test]
 fn what_it_has_none_for_is_said_by_ours() {
     has(LIT, &["<emitter type=\"goldray_point\">"]);
     has(&format!("{LIT}, shadows: false"), &["<boolean name=\"shadows\" value=\"false\"/>"]);
