@@ -197,6 +197,8 @@ fn pictures_are_compared_with_those_that_came_along() {
     let tree = tree(&[("a.xml", BALL)]);
     let run = |more: &[&str]| tree.run(&[&["import", "in/a.xml", "--compare-to"], more].concat());
     run(&["{file}.png"]).expect_code(2).expect("no answer   in/a.xml: expected the picture");
+    let alone = "rendered    in/a.xml: no picture to compare it with";
+    run(&["{file}.png", "--if-there"]).expect_code(0).expect(alone);
     tree.run(&["import", "in/a.xml", "--out", "a.ron"]).expect_code(0);
     tree.run(&["render", "a.ron", "--out", "in/a.xml.png"]).expect_code(0);
     tree.run(&["render", "a.ron", "--out", "in/a_ref.exr"]).expect_code(0);
@@ -216,4 +218,5 @@ fn pictures_are_compared_with_those_that_came_along() {
     run(&["{file}.png"]).expect_code(2).expect("expected a picture of 16 x 12");
     tree.write("in/a.xml.png", b"GIF89a");
     run(&["{file}.png"]).expect_code(2).expect("is neither a PNG nor an EXR");
+    run(&["{file}.png", "--if-there"]).expect_code(2).expect("is neither a PNG nor an EXR");
 }

@@ -10,7 +10,7 @@ use harness::store::{self, FolderAssets};
 use interchange::import::{self, Camera, Imported, Shading, Source, Unreadable, Wishes};
 
 use crate::{Answer, CannotAsk, Here};
-use compare::Compare;
+use compare::{Compare, Compared};
 use place::Place;
 
 /// Flags of `import`.
@@ -162,11 +162,15 @@ fn one(
         return Verdict::Done;
     };
     match found {
-        Ok(distance) if distance.is_within(args.compare.allowed()) => {
+        Ok(Compared::Alone) => {
+            println!("rendered    {label}: no picture to compare it with{without}");
+            Verdict::Done
+        }
+        Ok(Compared::Apart(distance)) if distance.is_within(args.compare.allowed()) => {
             println!("agrees      {label}: {distance}{without}");
             Verdict::Done
         }
-        Ok(distance) => {
+        Ok(Compared::Apart(distance)) => {
             println!("differs     {label}: {distance}{without}");
             Verdict::Refused
         }

@@ -24,6 +24,17 @@ pub(super) struct Compare {
     /// The largest absolute difference of linear values (EXR) that agrees
     #[arg(long, value_name = "VALUE", default_value_t = 0.0, requires = "compare_to")]
     within: f64,
+    /// Render a scene that none of these pictures is beside, and go on
+    #[arg(long, requires = "compare_to")]
+    if_there: bool,
+}
+
+/// What came of a comparison.
+pub(super) enum Compared {
+    /// How far the pictures are apart.
+    Apart(Distance),
+    /// The scene is rendered, and there is nothing to compare it with.
+    Alone,
 }
 
 /// The largest picture file that is read, in bytes.
@@ -43,15 +54,19 @@ impl Compare {
         label: &str,
         text: &str,
         files: &BTreeMap<String, Vec<u8>>,
-    ) -> Option<Result<Distance, String>> {
+    ) -> Option<Result<Compared, String>> {
         (!self.patterns.is_empty()).then(|| {
-            let path = self.reference(file)?;
-            let said = |why: String| format!("{}: {why}", path.display());
-            let bytes = store::read(&path, MAX_BYTES).map_err(|error| error.to_string())?;
-            let bytes = bytes.ok_or_else(|| said("has gone".to_owned()))?;
-            let reference = PictureFile::read(&bytes).map_err(said)?;
-            let fixture = Fixture::read(label, text, files, Build::default())?;
-            Distance::of(&fixture.render()?, &reference)
+            let path = match self.reference(file) {
+                Ok(path) => Some(path),
+                Err(_) if self.if_there => None,
+                Err(why) => return Err(why),
+            };
+            let reference = path.as_deref().map(read).transpose()?;
+            let picture = Fixture::read(label, text, files, Build::default())?.render()?;
+            Ok(match reference {
+                Some(reference) => Compared::Apart(Distance::of(&picture, &reference)?),
+                None => Compared::Alone,
+            })
         })
     }
 
@@ -71,4 +86,11 @@ impl Compare {
             format!("expected the picture {}, found none", shown.join(" or "))
         })
     }
+}
+
+fn read(path: &Path) -> Result<PictureFile, String> {
+    let said = |why: String| format!("{}: {why}", path.display());
+    let bytes = store::read(path, MAX_BYTES).map_err(|error| error.to_string())?;
+    let bytes = bytes.ok_or_else(|| said("has gone".to_owned()))?;
+    PictureFile::read(&bytes).map_err(said)
 }
