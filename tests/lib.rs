@@ -3,7 +3,8 @@
 //!
 //! `fixtures.rs` is the suite seen through `cargo test`, one named test for
 //! each fixture; `verdicts.rs` proves that the harness can fail;
-//! `determinism.rs` that nothing but the scene decides a picture; and
+//! `determinism.rs` that nothing but the scene decides a picture; `read_back.rs`
+//! and `pbrt.rs` that what is written in other languages is the scene; and
 //! `house.rs` that the invariants of `ARCHITECTURE.md` hold.
 
 use std::path::{Path, PathBuf};

@@ -119,8 +119,27 @@ fn nothing_is_written_among_fixtures_and_goldens() {
     tree.write("in/a.xml", BALL.as_bytes());
     for place in ["fixtures/a.ron", "golden/a.ron", "target/goldray/a.ron"] {
         let ran = tree.run(&["import", "in/a.xml", "--out", place]).expect_code(2);
-        ran.expect("expected a place outside of the suite's");
+        let ran = ran.expect("expected a place outside of the suite's");
+        let said = ran.expect("/: write it elsewhere").stdout();
+        let says_more = said.contains("then copy it there with the files that it names, and");
+        assert_eq!(says_more, place.starts_with("fixtures/"), "{said}");
         assert!(!tree.path(place).exists());
+    }
+    // Which works.
+    tree.run(&["import", "in/a.xml", "--out", "out/a.ron"]).expect_code(0);
+    tree.write("fixtures/a.ron", &fs::read(tree.path("out/a.ron")).unwrap());
+    tree.run(&["bless", "a"]).expect_code(0);
+    tree.run(&["check", "a"]).expect_code(0);
+}
+
+#[test]
+fn the_help_names_every_format_that_is_read() {
+    let tree = Tree::blessed(&[("b", SQUARE)]);
+    let help = tree.run(&["import", "--help"]).expect_code(0).stdout();
+    let endings: Vec<_> = interchange::import::endings().collect();
+    assert!(endings.len() > 5, "{endings:?}");
+    for ending in endings {
+        assert!(help.contains(&format!(".{ending}")), ".{ending}: {help}");
     }
 }
 

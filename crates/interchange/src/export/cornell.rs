@@ -43,6 +43,7 @@ const CAN: &[Feature] = &[
     Feature::BackSides,
     Feature::HighlightFromBehind,
     Feature::Background,
+    Feature::GridSamples,
 ];
 
 /// # Errors
@@ -55,7 +56,8 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         plain.shading,
         camera(plain)
     );
-    let (width, height) = plain.size;
+    // Its `samples` are scattered: those on a grid are pixels of a larger picture.
+    let (width, height) = (plain.size.0 * plain.grid, plain.size.1 * plain.grid);
     put(&mut text, format_args!("  <image>{width} {height}</image>\n"));
     if plain.background != [0.0; 3] {
         text += &element("backColor", plain.background);
@@ -75,7 +77,7 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         Shading::Radiometric => Feature::Radiometric,
     };
     let beside = is_lit.then_some(convention).into_iter().collect();
-    Ok(Exported { main: MAIN.to_owned(), files, grid: 1, beside })
+    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside })
 }
 
 fn element(name: &str, v: Triple) -> String {

@@ -29,6 +29,7 @@ const CAN: &[Feature] = &[
     Feature::Shadows,
     Feature::Classic,
     Feature::Background,
+    Feature::GridSamples,
 ];
 
 /// # Errors
@@ -51,14 +52,15 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         text += &shape(&object.solid(plain));
     }
     let files = BTreeMap::from([(MAIN.to_owned(), text.into_bytes())]);
-    Ok(Exported { main: MAIN.to_owned(), files, grid: 1, beside: [Feature::Classic].into() })
+    let beside = [Feature::Classic].into();
+    Ok(Exported { main: MAIN.to_owned(), files, grid: plain.grid, beside })
 }
 
 /// The angle goes from the middle of the top row to the middle of the bottom row:
 /// a row less than the window is high.
 fn view(plain: &Plain) -> Result<String, BTreeSet<Feature>> {
     let camera = &plain.camera;
-    let (width, height) = plain.size;
+    let (width, height) = (plain.size.0 * plain.grid, plain.size.1 * plain.grid);
     let Projection::Perspective { proj_distance } = camera.projection() else {
         return Err([Feature::Parallel].into());
     };

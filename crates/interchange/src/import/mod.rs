@@ -94,7 +94,7 @@ pub fn import(
     let ending = source.name.rsplit_once('.').map_or("", |(_, ending)| ending);
     let ending = ending.to_ascii_lowercase();
     let Some((_, read)) = READERS.iter().find(|(known, _)| *known == ending) else {
-        let known: Vec<_> = READERS.iter().map(|(ending, _)| format!(".{ending}")).collect();
+        let known: Vec<_> = endings().map(|ending| format!(".{ending}")).collect();
         return Err(vec![Unreadable {
             place: None,
             message: format!(
@@ -106,6 +106,11 @@ pub fn import(
         }]);
     };
     read(source, wishes, assets)
+}
+
+/// The endings of files that are read, without the dot and in lower case.
+pub fn endings() -> impl Iterator<Item = &'static str> {
+    READERS.iter().map(|(ending, _)| *ending)
 }
 
 /// How a format is read.

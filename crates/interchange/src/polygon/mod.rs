@@ -5,7 +5,9 @@
 //! once, whatever its corners, and use every corner that is not a repetition:
 //! neighbors that share its edges have no cracks between.
 
+mod chain;
 mod predicate;
+mod ring;
 #[cfg(test)]
 mod tests;
 
@@ -13,7 +15,9 @@ use std::cmp::Ordering;
 
 use tracer::glam::DVec3;
 
+use chain::{Chain, Reach};
 use predicate::{Point, orientation, to_size, turn};
+use ring::Ring;
 
 /// Why a polygon is not cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,22 +45,35 @@ impl Problem {
     }
 }
 
-/// Cuts polygons, and counts the work that they are.
+/// What a polygon may take for each of its corners: as much as most borders take,
+/// about `n log n` in all.
+const LOOKS: u64 = 100;
+
+/// Cuts polygons, and counts the work that they are, in looks at a box, a corner
+/// or an edge.
 #[derive(Debug, Clone)]
 pub struct Cutter {
-    work_left: u64,
+    /// What the polygon at hand may still take.
+    own: u64,
+    /// What all together may take beyond that.
+    shared: u64,
 }
 
 impl Default for Cutter {
     fn default() -> Self {
-        /// Looks at a corner or a pair of edges: some ten seconds of them, and
-        /// one polygon of 20,000 corners.
-        const WORK: u64 = 2_000_000_000;
-        Self { work_left: WORK }
+        /// Some seconds, and six spirals of 20,000 corners.
+        const SHARED: u64 = 100_000_000;
+        Self { own: 0, shared: SHARED }
     }
 }
 
 impl Cutter {
+    /// One that has nothing left beyond what each polygon may take of its own.
+    #[cfg(test)]
+    pub(crate) fn spent() -> Self {
+        Self { own: 0, shared: 0 }
+    }
+
     /// The triangles of a polygon, as indices of its corners, turning as it
     /// does.
     ///
@@ -79,49 +96,78 @@ impl Cutter {
         if is_convex(&points) {
             return Ok((2..ring.len()).map(|i| [ring[0], ring[i - 1], ring[i]]).collect());
         }
-        self.spend(points.len().saturating_mul(points.len()))?;
-        if let Some((a, b)) = crossing(&points) {
+        self.own = LOOKS.saturating_mul(points.len() as u64);
+        if let Some((a, b)) = self.crossing(&points)? {
             return Err(Problem::Crossing(ring[a], ring[b]));
         }
         let triangles = self.clip(&points)?;
         Ok(triangles.into_iter().map(|corners| corners.map(|i| ring[i])).collect())
     }
 
-    fn spend(&mut self, work: usize) -> Result<(), Problem> {
-        self.work_left = self.work_left.checked_sub(work as u64).ok_or(Problem::TooMuchWork)?;
+    fn spend(&mut self, looks: u64) -> Result<(), Problem> {
+        let beyond = looks.saturating_sub(self.own);
+        self.own = self.own.saturating_sub(looks);
+        self.shared = self.shared.checked_sub(beyond).ok_or(Problem::TooMuchWork)?;
         Ok(())
+    }
+
+    /// Two edges that have a point in common that is inside both, by where they
+    /// begin: the first that there are.
+    fn crossing(&mut self, points: &[Point]) -> Result<Option<(usize, usize)>, Problem> {
+        let n = points.len();
+        let edge = |i: usize| (points[i], points[(i + 1) % n]);
+        let chain = Chain::of_edges(points);
+        let opposite = |x: Ordering, y: Ordering| x.is_ne() && x == y.reverse();
+        for i in 0..n {
+            let (a, b) = edge(i);
+            let cuts = |j: usize| {
+                let (c, d) = edge(j);
+                opposite(turn(a, b, c), turn(a, b, d)) && opposite(turn(c, d, a), turn(c, d, b))
+            };
+            let may_hold = |reach: &Reach| !reach.is_beside(a, b);
+            let (found, looks) = chain.first(i + 2, &[a, b], may_hold, cuts);
+            self.spend(looks)?;
+            if let Some(j) = found {
+                return Ok(Some((i, j)));
+            }
+        }
+        Ok(None)
     }
 
     /// Takes off ears, corners with nothing of the polygon in their triangle. All
     /// triangles turn left, so that together they cover each point as often as
     /// the polygon goes around it.
     fn clip(&mut self, points: &[Point]) -> Result<Vec<[usize; 3]>, Problem> {
-        let mut left: Vec<usize> = (0..points.len()).collect();
-        trim(points, &mut left);
+        let mut ring = Ring::new(points);
         let mut triangles = Vec::with_capacity(points.len());
-        let mut at = 0;
-        let mut failed = 0;
-        while left.len() > 3 {
-            let n = left.len();
-            let [a, b, c] = [at + n - 1, at, at + 1].map(|i| i % n);
-            self.spend(n)?;
-            if is_ear(points, &left, [a, b, c]) {
-                triangles.push([left[a], left[b], left[c]]);
-                left.remove(b);
-                if [b, b + n - 2].iter().any(|i| is_spike(points, &left, i % (n - 1))) {
-                    trim(points, &mut left);
+        let mut from = 0;
+        let mut has_cut = false;
+        while ring.len() > 3 {
+            let Some(corner) = ring.next_open(from) else {
+                if !has_cut {
+                    return Err(Problem::Tangled);
                 }
-                failed = 0;
+                // What is no ear stays none until one beside it is gone, but where the
+                // border touches itself.
+                ring.open_all();
+                has_cut = false;
+                continue;
+            };
+            let (is_ear, looks) = ring.is_ear(corner);
+            self.spend(looks)?;
+            if is_ear {
+                let [a, b, c] = ring.around(corner);
+                triangles.push([a, b, c]);
+                ring.remove(b);
+                has_cut = true;
                 // The corner after next, so that triangles do not all share one.
-                at = b + 1;
-            } else if failed < n {
-                failed += 1;
-                at += 1;
+                from = c + 1;
             } else {
-                return Err(Problem::Tangled);
+                ring.close(corner);
+                from = corner + 1;
             }
         }
-        if let [a, b, c] = left[..] {
+        if let [a, b, c] = ring.corners()[..] {
             match turn(points[a], points[b], points[c]) {
                 Ordering::Greater => triangles.push([a, b, c]),
                 Ordering::Equal => {}
@@ -200,69 +246,4 @@ fn is_convex(points: &[Point]) -> bool {
     let rises = |i: usize| points[i % n] < points[(i + 1) % n];
     let lowest = (0..n).filter(|&i| !rises(i) && rises(i + 1)).count();
     lowest == 1 && (0..n).all(|i| turn(points[i], points[(i + 1) % n], points[(i + 2) % n]).is_gt())
-}
-
-/// Two edges that have a point in common that is inside both, by where they begin.
-fn crossing(points: &[Point]) -> Option<(usize, usize)> {
-    let n = points.len();
-    let edge = |i: usize| (points[i], points[(i + 1) % n]);
-    let apart = |(a, b): (Point, Point), (c, d): (Point, Point)| {
-        (0..2).any(|k| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]))
-    };
-    let opposite = |x: Ordering, y: Ordering| x.is_ne() && x == y.reverse();
-    (0..n).find_map(|i| {
-        let first = edge(i);
-        let cuts = |j: &usize| {
-            let ((a, b), (c, d)) = (first, edge(*j));
-            !apart((a, b), (c, d))
-                && opposite(turn(a, b, c), turn(a, b, d))
-                && opposite(turn(c, d, a), turn(c, d, b))
-        };
-        (i + 2..n).find(cuts).map(|j| (i, j))
-    })
-}
-
-/// Takes out all ways there and back again, which have no area.
-fn trim(points: &[Point], left: &mut Vec<usize>) {
-    let mut i = 0;
-    let mut passed = 0;
-    // Until all have been passed by since the last that was taken out.
-    while passed < left.len() && left.len() > 2 {
-        i %= left.len();
-        if is_spike(points, left, i) {
-            left.remove(i);
-            i = (i + left.len() - 1) % left.len();
-            passed = 0;
-        } else {
-            (i, passed) = (i + 1, passed + 1);
-        }
-    }
-}
-
-/// Whether a corner is where the next or the one before is, or the way goes back
-/// there.
-fn is_spike(points: &[Point], left: &[usize], i: usize) -> bool {
-    let n = left.len();
-    let [a, b, c] = [(i + n - 1) % n, i, (i + 1) % n].map(|k| points[left[k]]);
-    let to = |p: Point| [0, 1].map(|k| p[k].partial_cmp(&b[k]));
-    a == b || b == c || (turn(a, b, c).is_eq() && to(a) == to(c))
-}
-
-/// Whether three corners that follow each other make a triangle with no other
-/// corner in it or on its rim, but where one of its own is.
-fn is_ear(points: &[Point], left: &[usize], [a, b, c]: [usize; 3]) -> bool {
-    let [pa, pb, pc] = [a, b, c].map(|i| points[left[i]]);
-    if !turn(pa, pb, pc).is_gt() {
-        return false;
-    }
-    let min = [0, 1].map(|k| pa[k].min(pb[k]).min(pc[k]));
-    let max = [0, 1].map(|k| pa[k].max(pb[k]).max(pc[k]));
-    left.iter().map(|&i| points[i]).all(|p| {
-        let is_far = (0..2).any(|k| p[k] < min[k] || max[k] < p[k]);
-        is_far
-            || [pa, pb, pc].contains(&p)
-            || turn(pa, pb, p).is_lt()
-            || turn(pb, pc, p).is_lt()
-            || turn(pc, pa, p).is_lt()
-    })
 }

@@ -156,11 +156,91 @@ fn random_corners_never_panic_or_hang() {
 
 #[test]
 fn work_has_an_end() {
-    let mut cutter = Cutter { work_left: 100 };
+    // Long teeth at an angle: every edge is in the boxes of all others.
+    let teeth = teeth(1_000, 300.0);
+    let alone = looks(&teeth);
+    assert!(alone > LOOKS * teeth.len() as u64, "{alone} looks");
+    let beyond = alone - LOOKS * teeth.len() as u64;
+    let mut cutter = Cutter { own: 0, shared: 3 * beyond };
+    let cuts = (0..100).take_while(|_| cutter.cut(&teeth).is_ok()).count();
+    assert_eq!(cuts, 3);
+    assert_eq!(cutter.cut(&teeth), Err(Problem::TooMuchWork));
+    // What takes no more than its own is cut all the same.
     let arrow = in_space(&[[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [-4.0, 4.0]], 0);
-    let cuts = (0..100).take_while(|_| cutter.cut(&arrow).is_ok()).count();
-    assert!((1..10).contains(&cuts), "{cuts}");
-    assert_eq!(cutter.cut(&arrow), Err(Problem::TooMuchWork));
+    assert!(cutter.cut(&arrow).is_ok());
+}
+
+#[test]
+fn the_first_crossing_is_that_of_all_pairs() {
+    let mut rng = fastrand::Rng::with_seed(9);
+    let mut found = [0; 2];
+    for _ in 0..2_000 {
+        let n = rng.usize(4..24);
+        let is_coarse = rng.bool();
+        let mut number = || if is_coarse { rng.u8(0..7).into() } else { rng.f64() };
+        let points: Vec<Point> = (0..n).map(|_| [number(), number()]).collect();
+        let side = |i: usize, j: usize| turn(points[i], points[(i + 1) % n], points[j % n]);
+        let opposite = |x: Ordering, y: Ordering| x.is_ne() && x == y.reverse();
+        let cut = |i: usize, j: usize| {
+            opposite(side(i, j), side(i, j + 1)) && opposite(side(j, i), side(j, i + 1))
+        };
+        let all = (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j)));
+        let expected = all.clone().find(|&(i, j)| cut(i, j));
+        assert_eq!(Cutter::default().crossing(&points), Ok(expected), "{points:?}");
+        found[usize::from(expected.is_some())] += 1;
+    }
+    assert!(found[0] > 20 && found[1] > 20, "{found:?}");
+}
+
+/// So many teeth of this length on a line, all leaning alike.
+fn teeth(n: usize, length: f64) -> Vec<DVec3> {
+    let (sin, cos) = libm::sincos(1.1);
+    let tip = |i: usize, r: f64| [i as f64 + r * cos, r * sin];
+    let mut points: Vec<_> =
+        (0..2 * n).map(|i| tip(i, if i % 2 == 1 { length } else { 0.0 })).collect();
+    points.extend([[2.0 * n as f64, -1.0], [0.0, -1.0]]);
+    in_space(&points, 2)
+}
+
+/// How much it is to cut a polygon.
+fn looks(corners: &[DVec3]) -> u64 {
+    const ALL: u64 = 1 << 40;
+    let mut cutter = Cutter { own: 0, shared: ALL };
+    cutter.cut(corners).unwrap();
+    let own = LOOKS * corners.len() as u64;
+    own - cutter.own + ALL - cutter.shared
+}
+
+#[test]
+fn borders_that_are_drawn_take_little_work() {
+    let circle = |n: usize, radius: &dyn Fn(usize) -> f64| -> Vec<DVec3> {
+        let point = |i: usize| {
+            let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / n as f64);
+            [radius(i) * cos, radius(i) * sin]
+        };
+        in_space(&(0..n).map(point).collect::<Vec<_>>(), 2)
+    };
+    let spiral = |n: usize| {
+        let arm = |i: usize, r: f64| {
+            let (sin, cos) = libm::sincos(i as f64 * 0.05);
+            let r = r + i as f64 * 0.01;
+            [r * cos, r * sin]
+        };
+        let out = (0..n / 2).map(|i| arm(i, 2.0));
+        in_space(&out.chain((0..n / 2).rev().map(|i| arm(i, 1.5))).collect::<Vec<_>>(), 2)
+    };
+    let mut rng = fastrand::Rng::with_seed(4);
+    let noise: Vec<f64> = (0..20_000).map(|_| 0.5 + rng.f64()).collect();
+    let n = 19_998;
+    for (name, border, most) in [
+        ("gear", circle(n, &|i| if i / 2 % 2 == 0 { 1.0 } else { 0.9 }), LOOKS),
+        ("noise", circle(n, &|i| noise[i]), LOOKS),
+        ("star", circle(n, &|i| if i % 2 == 0 { 1.0 } else { 0.01 }), 800),
+        ("spiral", spiral(n), 1_000),
+    ] {
+        let looks = looks(&border) / n as u64;
+        assert!(looks <= most, "{name}: {looks} looks for each corner");
+    }
 }
 
 /// Whether the polygon winds around a point.

@@ -29,9 +29,27 @@ pub(crate) fn check_ending(path: &str) -> Result<(), String> {
 /// # Errors
 /// What is wrong, as the end of a sentence that starts with the file's name.
 pub(crate) fn read(bytes: &[u8], encoding: TexelEncoding) -> Result<Texels, String> {
-    let png::Picture { size, codes, is_deep } = png::read(bytes)?;
+    let png::Picture { size, codes, is_deep, clear_at } = png::read(bytes)?;
+    if let Some((x, y)) = clear_at {
+        return Err(format!(
+            "is not opaque, first at ({x}, {y}) from its upper left: expected no alpha below 1"
+        ));
+    }
     let levels = levels::levels(encoding, if is_deep { u16::MAX } else { u8::MAX.into() });
     Texels::new(size, codes, levels).map_err(|refused| format!("makes no texture: {refused}"))
+}
+
+/// A PNG file with the same colors and no alpha, for formats that say it does not
+/// count; `None` where the file has none below 1.
+///
+/// # Errors
+/// Why the file is no texture, as the end of a sentence that starts with its name.
+pub fn without_alpha(bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
+    let picture = png::read(bytes)?;
+    if picture.clear_at.is_none() {
+        return Ok(None);
+    }
+    png::write(&picture).map(Some).map_err(|why| format!("cannot be written without alpha: {why}"))
 }
 
 #[cfg(test)]

@@ -2,7 +2,9 @@
 
 use std::io::Cursor;
 
-use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
+use png::{
+    BitDepth, ColorType, Decoder, DecodingError, Encoder, EncodingError, Limits, Transformations,
+};
 use tracer::Size;
 use tracer::texture::Texels;
 
@@ -15,6 +17,8 @@ pub(super) struct Picture {
     pub(super) codes: Vec<[u16; 3]>,
     /// Whether they go to 65535 and not to 255.
     pub(super) is_deep: bool,
+    /// Where the first texel is that is not opaque, from the upper left.
+    pub(super) clear_at: Option<(usize, usize)>,
 }
 
 /// Gray is taken as three equal channels, a palette as the colors it stands
@@ -23,8 +27,7 @@ pub(super) struct Picture {
 /// says it.
 ///
 /// # Errors
-/// No PNG, one that is damaged, too large or animated, and texels that are not
-/// opaque.
+/// No PNG, one that is damaged, too large or animated.
 pub(super) fn read(bytes: &[u8]) -> Result<Picture, String> {
     let damaged = |error: DecodingError| format!("is not a readable PNG file: {error}");
     let limits = Limits { bytes: DECODER_BYTES };
@@ -61,18 +64,38 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, String> {
         pixels.iter().map(|&byte| byte.into()).collect()
     };
     let texels = codes.chunks_exact(channels);
-    if matches!(frame.color_type, ColorType::Rgba | ColorType::GrayscaleAlpha) {
-        let opaque = if is_deep { u16::MAX } else { u8::MAX.into() };
-        if let Some(i) = texels.clone().position(|texel| texel[channels - 1] != opaque) {
-            let (x, y) = (i % width as usize, i / width as usize);
-            return Err(format!(
-                "is not opaque, first at ({x}, {y}) from its upper left: expected no alpha below 1"
-            ));
-        }
-    }
+    let opaque = if is_deep { u16::MAX } else { u8::MAX.into() };
+    let clear_at = match frame.color_type {
+        ColorType::Rgba | ColorType::GrayscaleAlpha => texels
+            .clone()
+            .position(|texel| texel[channels - 1] != opaque)
+            .map(|i| (i % width as usize, i / width as usize)),
+        _ => None,
+    };
     let color = |texel: &[u16]| match *texel {
         [r, g, b] | [r, g, b, _] => [r, g, b],
         _ => [texel[0]; 3],
     };
-    Ok(Picture { size: Size { width, height }, codes: texels.map(color).collect(), is_deep })
+    let codes = texels.map(color).collect();
+    Ok(Picture { size: Size { width, height }, codes, is_deep, clear_at })
+}
+
+/// The same colors as a PNG file without alpha.
+///
+/// # Errors
+/// What the encoder says.
+pub(super) fn write(picture: &Picture) -> Result<Vec<u8>, EncodingError> {
+    let Picture { size, codes, is_deep, .. } = picture;
+    let mut file = Vec::new();
+    let mut encoder = Encoder::new(&mut file, size.width, size.height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(if *is_deep { BitDepth::Sixteen } else { BitDepth::Eight });
+    let all = codes.as_flattened().iter().flat_map(|code| code.to_be_bytes());
+    // Of codes up to 255 the upper byte is 0.
+    let data: Vec<u8> =
+        all.skip(usize::from(!is_deep)).step_by(if *is_deep { 1 } else { 2 }).collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&data)?;
+    writer.finish()?;
+    Ok(file)
 }

@@ -81,6 +81,24 @@ fn broken_files() {
 }
 
 #[test]
+fn alpha_is_taken_off_and_colors_stay() {
+    use BitDepth::{Eight, Sixteen};
+    #[track_caller]
+    fn check(color: ColorType, depth: BitDepth, clear: &[u8], opaque: &[u8]) {
+        let without = without_alpha(&file((2, 1), color, depth, clear)).unwrap().unwrap();
+        let expected = file((2, 1), color, depth, opaque);
+        let read = |bytes: &[u8]| read(bytes, TexelEncoding::Linear).unwrap();
+        assert_eq!(read(&without), read(&expected), "{color:?} {depth:?}");
+        assert_eq!(without_alpha(&expected), Ok(None));
+    }
+    check(ColorType::Rgba, Eight, &[1, 2, 3, 0, 4, 5, 6, 9], &[1, 2, 3, 255, 4, 5, 6, 255]);
+    check(ColorType::GrayscaleAlpha, Eight, &[7, 254, 9, 255], &[7, 255, 9, 255]);
+    let deep = [1, 2, 255, 254, 3, 4, 0, 0];
+    check(ColorType::GrayscaleAlpha, Sixteen, &deep, &[1, 2, 255, 255, 3, 4, 255, 255]);
+    assert!(without_alpha(b"GIF89a").unwrap_err().contains("is not a readable PNG file"));
+}
+
+#[test]
 fn a_size_that_is_only_claimed_takes_no_memory() {
     // Its header says 2^31 - 1 by 2^31 - 1 texels, with a good checksum.
     let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff".to_vec();

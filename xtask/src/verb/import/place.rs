@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 
+use harness::called::command;
 use harness::store;
 
 use crate::{CannotAsk, Here};
@@ -70,7 +71,7 @@ impl Place {
         let scene = std::iter::once((self.ron.clone(), text.as_bytes()));
         let (mut to_write, mut named) = (Vec::new(), Vec::new());
         for (path, bytes) in beside.chain(scene) {
-            here.may_write(&path)?;
+            here.may_write(&path).map_err(|why| with_a_way_on(here, &path, why))?;
             if !store::is_inside(&path, Path::new(".").join(folder).as_path()) {
                 let what = "a link leads out of the scene's folder: remove it";
                 return Err(CannotAsk::file(&path, what));
@@ -104,6 +105,19 @@ impl Place {
         ours.extend(named);
         Ok(())
     }
+}
+
+/// What to do about a place that the suite keeps for itself.
+fn with_a_way_on(here: &Here, path: &Path, CannotAsk(why): CannotAsk) -> CannotAsk {
+    let is_fixture = |root: &Path| store::is_inside(path, &root.join("fixtures"));
+    if here.suite().is_ok_and(|suite| is_fixture(suite.root())) {
+        return CannotAsk(format!(
+            "{why}: write it elsewhere and look at it, then copy it there with the files that it \
+             names, and `{} bless` it",
+            command()
+        ));
+    }
+    CannotAsk(format!("{why}: write it elsewhere"))
 }
 
 fn in_the_way(path: &Path) -> CannotAsk {

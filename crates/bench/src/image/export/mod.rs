@@ -4,6 +4,10 @@
 //! cylinders and meshes, Lambertian or shining, under point lights in
 //! radiometric shading, on black, through a straight perspective camera.
 //! Anything else is refused.
+//!
+//! These are not `interchange`'s writers, which say every scene exactly: they ask
+//! Mitsuba for plugins of ours where there are two lights, and write each box as
+//! a mesh of its own. Here each renderer is to be as fast as it is.
 
 mod mitsuba;
 mod povray;

@@ -9,6 +9,7 @@ use scene::format;
 use super::buffer::Buffers;
 use super::document::{Document, Extensions, Material, Metal};
 use super::texture;
+use crate::import::mesh::pictures::Alpha;
 use crate::import::mesh::stage::Stage;
 
 /// The index of refraction of what is no metal, and does not say.
@@ -31,12 +32,19 @@ pub(super) fn of(
     if let Some(info) = &written.pbr_metallic_roughness.base_color_texture {
         let place = format!("{place}: baseColorTexture");
         if let Some(slot) = material.texture_mut() {
-            *slot = texture::of(info, &place, (document, buffers), stage)?;
+            let alpha = if is_opaque(written) { Alpha::Ignored } else { Alpha::Counts };
+            *slot = texture::of((info, alpha), &place, (document, buffers), stage)?;
         } else {
             stage.lost.add(None, place, "the texture is left out");
         }
     }
     Ok(material)
+}
+
+/// Whether alpha is to be ignored, that of the texture and of the base color: the
+/// mode of what names none.
+fn is_opaque(written: &Material) -> bool {
+    written.alpha_mode.as_deref().is_none_or(|mode| mode == "OPAQUE")
 }
 
 /// The material without its texture.
@@ -67,7 +75,7 @@ fn plain(written: &Material, place: &str, stage: &mut Stage) -> Result<format::M
     if written.emissive_factor != [0.0; 3] && !is_unlit {
         lose("emissiveFactor", "it emits no light");
     }
-    if written.alpha_mode.as_deref().is_some_and(|mode| mode != "OPAQUE") {
+    if !is_opaque(written) {
         lose("alphaMode", "it is opaque");
     }
     for name in &written.extensions.others.0 {

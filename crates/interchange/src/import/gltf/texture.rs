@@ -5,15 +5,16 @@ use scene::format::{TexelFilter, Texture, Wrap};
 
 use super::buffer::{Buffers, none};
 use super::document::{Document, Sampler, TextureInfo};
-use crate::import::mesh::pictures::{Unseen, image};
+use crate::import::mesh::pictures::{Alpha, Unseen, image};
 use crate::import::mesh::stage::Stage;
 
-/// The texture that a material names at `place`; `None` for one that is lost.
+/// The texture that a material names at `place`, whose alpha counts or not;
+/// `None` for one that is lost.
 ///
 /// # Errors
 /// What leads nowhere, and pictures that are missing or damaged.
 pub(super) fn of(
-    info: &TextureInfo,
+    (info, alpha): (&TextureInfo, Alpha),
     place: &str,
     (document, buffers): (&Document, &mut Buffers<'_>),
     stage: &mut Stage,
@@ -54,7 +55,7 @@ pub(super) fn of(
             (name, bytes)
         })
     };
-    match stage.pictures.name(&format!("images[{source}]"), read) {
+    match stage.pictures.name((&format!("images[{source}]"), alpha), read) {
         Ok(file) => {
             let said = "textures are not averaged where they look small: of their filters that for \
                         magnification counts";

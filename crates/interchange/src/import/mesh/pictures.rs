@@ -19,11 +19,20 @@ pub(in crate::import) enum Unseen {
     Broken(String),
 }
 
+/// What becomes of a picture's alpha.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::import) enum Alpha {
+    /// One below 1 asks for what is not done here.
+    Counts,
+    /// The format says that it does not count: it is taken off.
+    Ignored,
+}
+
 /// Pictures by what their file calls them.
 #[derive(Debug, Default)]
 pub(in crate::import) struct Pictures {
     files: Files,
-    known: BTreeMap<String, Result<String, Unseen>>,
+    known: BTreeMap<(String, Alpha), Result<String, Unseen>>,
 }
 
 impl Pictures {
@@ -33,32 +42,38 @@ impl Pictures {
     }
 
     /// The name of a picture. `read` gives a name to have it under and its bytes,
-    /// and is not asked again for the same `key`.
+    /// and is not asked again for the same `key` and `alpha`.
     ///
     /// # Errors
     /// See [`Unseen`].
     pub(in crate::import) fn name(
         &mut self,
-        key: &str,
+        (key, alpha): (&str, Alpha),
         read: impl FnOnce() -> Result<(String, Vec<u8>), String>,
     ) -> Result<String, Unseen> {
-        if let Some(known) = self.known.get(key) {
+        let key = (key.to_owned(), alpha);
+        if let Some(known) = self.known.get(&key) {
             return known.clone();
         }
         let judged =
-            read().map_err(Unseen::Broken).and_then(|(name, bytes)| self.keep(name, bytes));
-        self.known.insert(key.to_owned(), judged.clone());
+            read().map_err(Unseen::Broken).and_then(|(name, bytes)| self.keep(name, bytes, alpha));
+        self.known.insert(key, judged.clone());
         judged
     }
 
     /// What a file is is told by its bytes: many have the wrong ending.
-    fn keep(&mut self, mut name: String, bytes: Vec<u8>) -> Result<String, Unseen> {
+    fn keep(&mut self, mut name: String, bytes: Vec<u8>, alpha: Alpha) -> Result<String, Unseen> {
         if !bytes.starts_with(PNG) && !scene::is_texture(&name) {
             return Err(Unseen::Unknown("is no PNG file, the only pictures that are read".into()));
         }
         if !scene::is_texture(&name) {
             name += ".png";
         }
+        // What is wrong with a file that is none is told below.
+        let bytes = match alpha {
+            Alpha::Ignored => scene::without_alpha(&bytes).ok().flatten().unwrap_or(bytes),
+            Alpha::Counts => bytes,
+        };
         match judge(&name, &bytes) {
             None => Ok(self.files.add(&name, bytes)),
             Some(why) if why.contains("is not a readable PNG file") => Err(Unseen::Broken(why)),

@@ -11,7 +11,7 @@ use super::words::Word;
 use crate::import::files::Files;
 use crate::polygon::{Cutter, Problem, has_area};
 
-/// The most corners of a polygon: every edge is held against every other.
+/// The most corners of a polygon: what is above is no polygon that anybody drew.
 const MOST_CORNERS: usize = 10_000;
 
 /// The most triangles of a fill that stand in the scene themselves.
@@ -31,7 +31,9 @@ struct Gathered {
 pub(super) struct Polygons {
     /// What the names of meshes begin with.
     stem: String,
-    cutter: Cutter,
+    pub(super) cutter: Cutter,
+    /// Whether it was said that cutting them is too much work.
+    is_too_much: bool,
     gathered: BTreeMap<(Option<String>, bool), Gathered>,
 }
 
@@ -43,7 +45,8 @@ impl Polygons {
         let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
         let stem: String = stem.chars().map(plain).collect();
         let stem = if stem.is_empty() { "scene".to_owned() } else { stem };
-        Self { stem, cutter: Cutter::default(), gathered: BTreeMap::new() }
+        let (cutter, gathered) = (Cutter::default(), BTreeMap::new());
+        Self { stem, cutter, is_too_much: false, gathered }
     }
 
     /// All of them as objects, fill by fill; meshes are put into `files`.
@@ -157,6 +160,19 @@ impl Reader<'_> {
                     b + 1
                 );
                 self.unreadable(word.at, message);
+                return;
+            }
+            Err(Problem::TooMuchWork) => {
+                // Said once: the others are no worse.
+                if !std::mem::replace(&mut self.polygons.is_too_much, true) {
+                    let message = format!(
+                        "{}: expected polygons that are cut with less work, found one of too many \
+                         with too many corners",
+                        word.text
+                    );
+                    let help = "cut those with the most corners into several";
+                    self.report.unreadable(|| self.text.place(word.at), message, Some(help));
+                }
                 return;
             }
             Err(problem) => {

@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 use scene::NoAssets;
 use scene::format::{Camera, Light, Material, Object};
 
+use super::Reader;
+use crate::import::text::Text;
 use crate::import::{Imported, Lost, Source, Unreadable, Wishes, import};
 
 const VIEW: &str = "b 0.1 0.2 0.3\nv\nfrom 0 -5 0\nat 0 0 0\nup 0 0 1\nangle 45\nhither 1\n\
@@ -231,6 +233,31 @@ fn equal_fills_are_one_material() {
         scene.materials["f2"],
         Material::Lambert { diffuse: Some([0.0, 0.5, 0.0]), texture: None }
     );
+}
+
+#[test]
+fn polygons_that_take_too_much_work_are_a_problem_once() {
+    // A long spiral, where everything is within the box of every turn.
+    let n = 3_000_i32;
+    let corner = |i: i32, r: f64| {
+        let (sin, cos) = libm::sincos(f64::from(i) * 0.05);
+        let r = r + f64::from(i) * 0.01;
+        format!("{:?} {:?} 0\n", r * cos, r * sin)
+    };
+    let out = (0..n).map(|i| corner(i, 2.0));
+    let border: String = out.chain((0..n).rev().map(|i| corner(i, 1.5))).collect();
+    let polygon = format!("p {}\n{border}", 2 * n);
+    let written = format!("{VIEW}{polygon}s 0 0\n{polygon}p 3\n0 0 0\n1 0 0\n0 1 0\n");
+    let text = Text::of(written.as_bytes()).unwrap();
+    let mut reader = Reader::new(&text, "a.nff").unwrap();
+    reader.polygons.cutter = crate::polygon::Cutter::spent();
+    let problems = reader.scene(&Wishes::default()).unwrap_err();
+    let said: Vec<_> = problems.iter().map(|problem| problem.message.as_str()).collect();
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert!(said[0].starts_with("p: expected polygons that are cut with less work"), "{said:?}");
+    assert!(said[1].starts_with("s, number 3 of 4"), "{said:?}");
+    // There is enough for as many as a file has that somebody made.
+    assert!(with(&polygon.repeat(3)).is_ok());
 }
 
 #[test]

@@ -15,7 +15,7 @@ use super::map::Map;
 use super::mtl::Definition;
 use crate::import::Unreadable;
 use crate::import::files::fetch;
-use crate::import::mesh::pictures::Unseen;
+use crate::import::mesh::pictures::{Alpha, Unseen};
 use crate::import::mesh::stage::Stage;
 use crate::import::mesh::unreadable;
 
@@ -60,7 +60,7 @@ fn texture(
     // Beside the library, as its own name is beside the OBJ file.
     let folder = written.file.rsplit_once('/').map_or(String::new(), |(f, _)| format!("{f}/"));
     let path = format!("{folder}{}", map.file);
-    match stage.pictures.name(&path, || fetch(&path, assets)) {
+    match stage.pictures.name((&path, Alpha::Counts), || fetch(&path, assets)) {
         Ok(file) => {
             let wrap = if map.is_clamped { Wrap::Clamp } else { Wrap::Repeat };
             let once = if map.is_clamped { ", and with -clamp its border goes on" } else { "" };

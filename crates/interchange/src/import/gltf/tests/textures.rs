@@ -152,13 +152,42 @@ fn textures_that_are_not_read_are_lost() {
     });
     let said = "the texture is left out: images[0] is no PNG file, the only pictures that are read";
     assert_eq!(lost(&jpeg.unwrap()), format!("{place} {said}\n"));
-    let clear = import_square(&png(1, &[[9, 9, 9, 0]]), |_| ()).unwrap();
+    let blended = |all: &mut Value| all["materials"][0]["alphaMode"] = "BLEND".into();
+    let clear = import_square(&png(1, &[[9, 9, 9, 0]]), blended).unwrap();
     assert!(lost(&clear).contains("images[0] is not opaque, first at (0, 0)"), "{}", lost(&clear));
+    assert!(lost(&clear).contains("alphaMode: it is opaque"), "{}", lost(&clear));
     check(
         |all| all["meshes"][0]["primitives"][0]["attributes"] = json!({"POSITION": 0}),
         white,
         "material \"material 0\": faces without texture coordinates are shown without its texture\n",
     );
+}
+
+#[test]
+fn alpha_does_not_count_where_the_material_is_opaque() {
+    let colors = [[255, 0, 0, 0], [0, 255, 0, 255], [0, 0, 255, 7], [255, 255, 255, 254]];
+    let clear = png(2, &colors);
+    for mode in [None, Some("OPAQUE")] {
+        let imported = import_square(&clear, |all| {
+            if let Some(mode) = mode {
+                all["materials"][0]["alphaMode"] = mode.into();
+            }
+        });
+        let imported = imported.unwrap();
+        assert_eq!((letters(&imported).as_str(), lost(&imported).as_str()), (UPRIGHT, ""));
+    }
+    // One picture of two materials counts in one and not in the other.
+    let imported = import_square(&clear, |all| {
+        let mut other = all["materials"][0].clone();
+        other["alphaMode"] = "MASK".into();
+        all["materials"].as_array_mut().unwrap().push(other);
+        let mut primitive = all["meshes"][0]["primitives"][0].clone();
+        primitive["material"] = 1.into();
+        all["meshes"][0]["primitives"].as_array_mut().unwrap().push(primitive);
+    });
+    let said = lost(&imported.unwrap());
+    let of = |material: &str| said.lines().filter(|line| line.starts_with(material)).count();
+    assert_eq!((of("materials[0]"), of("materials[1]")), (0, 2), "{said}");
 }
 
 #[test]
