@@ -93,7 +93,14 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 fn report(here: &Here, args: &Args, all: &[Conformed]) -> Result<(), CannotAsk> {
     let suite = here.suite()?;
     let out = args.out.clone().unwrap_or_else(|| suite.root().join(Suite::CONFORM));
-    let (_, files) = card::write(&out, all, &|name| objects_of(&suite, name))?;
+    let selection = if args.filters.is_empty() {
+        None
+    } else {
+        let asked = Here::fixtures(&suite, &args.filters)?.len();
+        card::Selection::of(&args.filters, asked, Here::fixtures(&suite, &[])?.len())
+    };
+    let runs = (all, selection);
+    let (_, files) = card::write(&out, runs, &|name| objects_of(&suite, name))?;
     for path in files {
         println!("wrote {}", path.display());
     }

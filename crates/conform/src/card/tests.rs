@@ -149,7 +149,7 @@ fn a_sentence_tells_who_where_and_on_what() {
 #[test]
 fn every_file_is_written_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let (card, files) = write(folder.path(), &four(), &|_| None).unwrap();
+    let (card, files) = write(folder.path(), (&four(), None), &|_| None).unwrap();
     assert_eq!(card.renderers.len(), 4);
     let names: Vec<_> =
         files.iter().map(|path| path.file_name().unwrap().to_string_lossy().into_owned()).collect();
@@ -175,4 +175,31 @@ fn the_document_lists_every_feature() {
     let listed = listed.filter_map(|(_, rest)| rest.split_once("` |")).map(|(name, _)| name);
     let all: Vec<_> = Feature::ALL.iter().map(|feature| feature.name()).collect();
     assert_eq!(listed.collect::<Vec<_>>(), all, "docs/scorecard.md, \"The features\"");
+}
+
+#[test]
+fn what_is_a_part_of_the_suite_says_so_everywhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let part = Selection { filters: vec!["b*".to_owned()], fixtures: 3, of: 9 };
+    let words = "Only a part of the suite was asked for: 3 of 9 fixtures, by the filter \"b*\"";
+    assert_eq!(part.words(), words);
+    let (card, files) = write(folder.path(), (&four(), Some(part)), &|_| None).unwrap();
+    let read = |i: usize| {
+        let bytes = harness::store::read(&files[i], 1 << 30).unwrap().unwrap();
+        String::from_utf8(bytes).unwrap()
+    };
+    let told: serde_json::Value = serde_json::from_str(&read(0)).unwrap();
+    let expected = serde_json::json!({ "filters": ["b*"], "fixtures": 3, "of": 9, "words": words });
+    assert_eq!(told["selection"], expected);
+    let page = read(1);
+    let line = "by the filter \"b&#42;\".\n";
+    assert!(page.starts_with("# Scorecard\n\nOnly a part") && page.contains(line), "{page}");
+    let page = html(&card, &four());
+    assert!(page.contains("\"selection\":{"), "the page has what the document has");
+    assert!(page.contains("selectionLine"), "and shows it");
+    let badge = read(3);
+    assert!(badge.contains(">3 of 3 pass, a part of the suite</text>"), "{badge}");
+    assert!(badge.contains("3 of 9 fixtures, by the filter &quot;b*&quot;</title>"), "{badge}");
+    let (whole, _) = write(folder.path(), (&four(), None), &|_| None).unwrap();
+    assert_eq!(json(&whole)["selection"], serde_json::Value::Null);
 }

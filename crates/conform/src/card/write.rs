@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use harness::store::{self, StoreError};
 
-use super::{Card, Look, NoCard, badge, html, json, markdown};
+use super::{Card, Look, NoCard, Selection, badge, html, json, markdown};
 use crate::Conformed;
 
 /// Why there are no files.
@@ -28,7 +28,8 @@ impl std::fmt::Display for WriteError {
 impl std::error::Error for WriteError {}
 
 /// Writes `scorecard.json`, `scorecard.md`, `scorecard.html` and a `badge-ID.svg` for
-/// each renderer into `folder`; what is there already is written over. The card, and
+/// each renderer into `folder`; `selection` is the part of the suite that was asked
+/// for, if it was not all. What is there already is written over. The card, and
 /// the files that were written.
 ///
 /// # Errors
@@ -36,20 +37,18 @@ impl std::error::Error for WriteError {}
 /// be written.
 pub fn write(
     folder: &Path,
-    runs: &[Conformed],
+    (runs, selection): (&[Conformed], Option<Selection>),
     look: &Look<'_>,
 ) -> Result<(Card, Vec<PathBuf>), WriteError> {
-    let card = Card::of(runs, look).map_err(WriteError::NoCard)?;
+    let card = Card::of(runs, look).map_err(WriteError::NoCard)?.of_part(selection);
     let mut files = vec![
         ("scorecard.json".to_owned(), format!("{:#}\n", json(&card))),
         ("scorecard.md".to_owned(), markdown(&card)),
         ("scorecard.html".to_owned(), html(&card, runs)),
     ];
-    files.extend(
-        card.renderers
-            .iter()
-            .map(|column| (format!("badge-{}.svg", column.info.id), badge(column))),
-    );
+    files.extend(card.renderers.iter().map(|column| {
+        (format!("badge-{}.svg", column.info.id), badge(column, card.selection.as_ref()))
+    }));
     let mut written = Vec::new();
     for (name, text) in files {
         let path = folder.join(name);
