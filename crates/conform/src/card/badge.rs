@@ -32,6 +32,16 @@ pub fn badge(column: &Column, selection: Option<&Selection>) -> String {
     draw(&title, &words, color(passed, total))
 }
 
+/// Whether a file begins as those of [`badge`] do, whatever it tells.
+pub(super) fn is_badge(file: &[u8]) -> bool {
+    let head = &file[..file.len().min(HEAD_BYTES)];
+    let head = String::from_utf8_lossy(head);
+    head.starts_with("<svg ") && head.contains(&format!("<title id=\"t\">{LABEL}: "))
+}
+
+/// The beginning of a badge, up to its title, is no longer.
+const HEAD_BYTES: usize = 256;
+
 /// Colors that white letters can be read on: their contrast is 4.5 or more.
 fn color(passed: u64, total: u64) -> &'static str {
     const GRAY: &str = "#6a6a6a";

@@ -28,7 +28,7 @@ pub use page::html;
 pub use rule::{Reading, Standing, Suspicion};
 pub use selection::Selection;
 pub use tally::{Tally, Worst};
-pub use write::{WriteError, write};
+pub use write::{WriteError, file_names, write};
 
 use crate::consensus::{self, Overall, Told};
 use crate::objects::{Objects, Seen};
@@ -197,12 +197,17 @@ impl Card {
     }
 }
 
+/// Whether this is a name of files: letters, digits, `-` and `_`.
+fn is_id(id: &str) -> bool {
+    let is_good = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    !id.is_empty() && id.chars().all(is_good)
+}
+
 fn check_ids(runs: &[Conformed]) -> Result<(), NoCard> {
     let mut seen = BTreeSet::new();
     for one in runs {
         let id = &one.run.renderer.id;
-        let is_good = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        if id.is_empty() || !id.chars().all(is_good) {
+        if !is_id(id) {
             return Err(NoCard::BadId(id.clone()));
         }
         // Some systems do not tell upper from lower case in names of files.

@@ -203,3 +203,25 @@ fn what_is_a_part_of_the_suite_says_so_everywhere() {
     let (whole, _) = write(folder.path(), (&four(), None), &|_| None).unwrap();
     assert_eq!(json(&whole)["selection"], serde_json::Value::Null);
 }
+
+#[test]
+fn badges_of_an_earlier_card_go_and_those_of_strangers_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let put = |name: &str| harness::store::write(&path(name), b"<svg >mine</svg>").unwrap();
+    let is_there = |name: &str| harness::store::is_file(&path(name));
+    put("badge-coverage.svg");
+    write(folder.path(), (&four(), None), &|_| None).unwrap();
+    // Somebody drew this one anew.
+    put("badge-few.svg");
+    write(folder.path(), (&four()[..1], None), &|_| None).unwrap();
+    let found = ["right", "gamma", "wrong", "few", "coverage"]
+        .map(|id| is_there(&format!("badge-{id}.svg")));
+    assert_eq!(found, [true, false, false, true, true]);
+    // An earlier file of that name that is no card, and one that names files elsewhere.
+    for text in ["no JSON", "{\"renderers\": [{\"id\": \"../outside\"}, {\"id\": \"a/b\"}, 7]}"] {
+        harness::store::write(&path("scorecard.json"), text.as_bytes()).unwrap();
+        write(folder.path(), (&four()[1..2], None), &|_| None).unwrap();
+        assert!(is_there("badge-right.svg") && is_there("badge-gamma.svg"));
+    }
+}
