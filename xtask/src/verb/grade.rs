@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use conform::grade::{Grade, Plan, grade_lines, plan_lines, write};
+use conform::grade::{FILES, Grade, Plan, grade_lines, plan_lines, write};
 use conform::objects_of;
 
 use super::conform::{Asked, Ran, conformed, seconds};
@@ -64,6 +64,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         renderers: std::slice::from_ref(&args.renderer),
         filters: &names,
         out: Some(&out),
+        inputs: std::slice::from_ref(&args.rubric),
+        outputs: &FILES.map(|name| out.join(name)),
         jobs: args.jobs.into(),
         timeout: args.timeout,
     };

@@ -15,13 +15,10 @@ use crate::process::{Bounds, Ended, Ran, run};
 use crate::{Evidence, FixtureResult, Outcome as Said};
 
 /// The most that a renderer may write into its folder, in bytes.
-const MAX_WRITTEN: u64 = 2 << 30;
+pub(super) const MAX_WRITTEN: u64 = 2 << 30;
 
 /// The largest picture file that is read, in bytes.
 const MAX_PICTURE: u64 = 1 << 30;
-
-/// The variable that says where temporary files go.
-const TEMPORARY: &str = "TMPDIR";
 
 /// The most of a picture that is kept for somebody to look at, in bytes.
 const MAX_KEPT: usize = 64 << 20;
@@ -77,10 +74,6 @@ pub(super) fn render_and_judge(
     }
     let words = words(renderer, subject, &exported);
     let mut command = renderer.command(&words, scratch.folder());
-    if !renderer.adapter.env.contains_key(TEMPORARY) {
-        // What it leaves there goes away with the folder.
-        command.env(TEMPORARY, scratch.folder());
-    }
     let time = plan.timeout.unwrap_or(renderer.adapter.timeout);
     let growth = Some((scratch.folder(), MAX_WRITTEN));
     let ran = run(&mut command, &Bounds { time, growth, stop: plan.stop });
