@@ -221,7 +221,7 @@ fn verdict(
     let judged = judge(&reference, &levels, allowance);
     let mut findings = judged.findings.clone();
     if !findings.is_empty() {
-        findings.extend(hint(&reference, (&stored, grid), meaning, allowance));
+        findings.extend(hint(&reference, (&stored, grid), meaning, (allowance, &judged)));
     }
     let [low, high] = levels.bounds();
     let evidence = Evidence {
