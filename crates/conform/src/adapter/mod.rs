@@ -17,6 +17,7 @@ pub use word::{Filling, Word};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use harness::suite::Suite;
 use interchange::Feature;
 use interchange::export::Dialect;
 use scene::{Problem, Step, report, span_of};
@@ -117,6 +118,15 @@ pub struct Adapter {
 }
 
 impl Adapter {
+    /// The adapter that is asked for by its name or path; see [`locate`].
+    ///
+    /// # Errors
+    /// There is none, or all its problems, as text for people.
+    pub fn find(suite: &Suite, wanted: &str) -> Result<Self, String> {
+        let located = locate(suite, wanted)?;
+        Self::read(&located.label, &located.text)
+    }
+
     /// Reads an adapter file, called `name` in messages.
     ///
     /// # Errors

@@ -118,7 +118,7 @@ fn the_page_of_markdown_says_it_all() {
         "| Sphere | passes 2/2 | cleared 1/2 | passes 2/2 | unsupported |",
         "\n## What fails with gamma\n",
         "\n## What fails with &#60;wrong&#62;\n",
-        "on the Sphere of fixtures/ball.ron&#58;&#8203;3&#58;&#8203;2 |",
+        "on the Sphere of fixtures/ball.ron:3:2 |",
         "| <code>block</code> | fail |",
         "| Box |\n",
         "gamma stands alone in ",

@@ -24,7 +24,7 @@ pub fn write(
     look: &Look<'_>,
 ) -> Result<Vec<PathBuf>, WriteError> {
     let page = html(grade, conformed, look).map_err(WriteError::NoCard)?;
-    let texts = [format!("{:#}\n", json(grade)), markdown(grade), page];
+    let texts = [format!("{:#}\n", json(grade)), markdown(grade, conformed), page];
     let mut written = Vec::new();
     for (name, text) in FILES.into_iter().zip(texts) {
         let path = folder.join(name);
