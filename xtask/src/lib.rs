@@ -148,12 +148,13 @@ impl Here {
     /// # Errors
     /// See [`Here::may_write`]; a file that is there and ends in `.ron`.
     pub fn may_report(&self, path: &Path) -> Result<(), CannotAsk> {
+        self.may_write(path)?;
         let is_ron = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("ron"));
         if is_ron && store::is_file(path) {
             let what = "is there, and may be a scene, an adapter or a rubric: name another file";
             return Err(CannotAsk::file(path, what));
         }
-        self.may_write(path)
+        Ok(())
     }
 
     /// How paths and commands are to be written so that they work here.
