@@ -48,6 +48,13 @@ fn nothing_goes_away_before_all_renderers_are_found() {
         tree.run(&["conform", "--renderer", "right", "--renderer", other]).expect_code(2);
         assert!(fs::read(&results).is_ok_and(|found| found == before), "{other}");
     }
+    // Neither where the folder of another one is somebody's own.
+    tree.write("target/goldray-conform/crooked/thesis.txt", b"mine");
+    renderer(&tree, "adapters/crooked", RIGHT, "");
+    tree.run(&["conform", "--renderer", "right", "--renderer", "crooked"])
+        .expect_code(2)
+        .expect("crooked: is in the way of the artifacts and was not made by goldray");
+    assert!(fs::read(&results).is_ok_and(|found| found == before));
     // Neither where goldray itself is wrong.
     fs::remove_file(tree.path("golden/b.png")).unwrap();
     tree.run(&["conform", "--renderer", "right"]).expect_code(2);
@@ -165,18 +172,20 @@ fn lines_come_in_the_order_of_names_whoever_is_first() {
 #[test]
 fn who_reads_no_further_leaves_no_renderer_running() {
     let tree = suite(&[("slow", "", "timeout_s: 100")]);
-    let (once, pid) = (tree.path("once").display().to_string(), tree.path("pid"));
-    // One fails once another runs, whose end nobody waits for.
+    let (pid, gone) = (tree.path("pid"), tree.path("gone"));
+    // The first fails once the flat one runs, whose end nobody waits for, and nobody reads.
     let script = format!(
-        "if mkdir {once}; then while [ ! -e {0} ]; do sleep 0.02; done; exit 7; fi\n\
+        "if ! grep -q '0\\.5' \"$2\"; then while [ ! -e {0} -o ! -e {1} ]; do sleep 0.02; done; exit 7; fi\n\
          echo $$ > $$.new; mv $$.new {0}; sleep 1000",
-        pid.display()
+        pid.display(),
+        gone.display()
     );
     tree.write("adapters/slow.sh", script.as_bytes());
     let mut child = start(&tree, &["conform", "--renderer", "slow", "a", "b", "--jobs", "2"]);
     let mut stdout = BufReader::new(child.stdout.take().unwrap());
     stdout.read_line(&mut String::new()).unwrap();
     drop(stdout);
+    fs::write(gone, "").unwrap();
     Ran(child.wait_with_output().unwrap()).expect_code(2);
     let pid = fs::read_to_string(pid).unwrap();
     let stat = fs::read_to_string(format!("/proc/{}/stat", pid.trim()));

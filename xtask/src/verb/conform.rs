@@ -173,6 +173,9 @@ pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk
     let Some(subjects) = right_ones(here, &suite, &names, &stop)? else {
         return Ok(Ran::Interrupted(interrupted(NOBODY)));
     };
+    for renderer in &renderers {
+        Renderer::check_folder(&out.join(&renderer.info.id))?;
+    }
     // What earlier runs have left goes away only when nothing is in the way of this one.
     for renderer in &renderers {
         renderer.prepare(&out.join(&renderer.info.id))?;

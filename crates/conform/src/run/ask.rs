@@ -74,6 +74,14 @@ impl Renderer {
         Ok(renderer)
     }
 
+    /// Whether [`Renderer::prepare`] may empty this folder. Nothing is changed.
+    ///
+    /// # Errors
+    /// A folder that is not goldray's to empty.
+    pub fn check_folder(folder: &Path) -> Result<(), StoreError> {
+        store::check_artifacts(folder)
+    }
+
     /// Makes an empty folder for its results, with the programs that it needs beside them.
     ///
     /// # Errors

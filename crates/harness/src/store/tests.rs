@@ -1,5 +1,6 @@
 //! What is read, written, emptied, listed and swept away, and what is not.
 
+use super::artifacts::ARTIFACTS_MARK;
 use super::*;
 
 #[test]
