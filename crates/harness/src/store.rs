@@ -21,7 +21,7 @@ use std::sync::{OnceLock, RwLock};
 use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
-pub use artifacts::{check_artifacts, empty_artifacts};
+pub use artifacts::check_artifacts;
 pub use extent::{folder_bytes, is_program};
 pub use folder_assets::FolderAssets;
 pub use processes::processes_with;
@@ -219,6 +219,13 @@ pub fn remove(path: &Path) -> Result<(), StoreError> {
     fs::remove_file(path).map_err(|error| StoreError::io(path, &error))
 }
 
+/// The mark of a folder that may be emptied, by the convention of
+/// <https://bford.info/cachedir/>.
+const ARTIFACTS_MARK: (&str, &[u8]) = (
+    "CACHEDIR.TAG",
+    b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by goldray; emptied at each check.\n",
+);
+
 /// Whether this is no link, through which another folder would be changed.
 ///
 /// # Errors
@@ -227,6 +234,48 @@ pub fn check_no_link(path: &Path) -> Result<(), StoreError> {
     if fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink()) {
         let what = "is a link: remove it, or put a folder in its place";
         return Err(StoreError::new(path, what));
+    }
+    Ok(())
+}
+
+/// An empty folder for artifacts, marked as such.
+///
+/// # Errors
+/// A link, a folder with something in it but without the very mark that this
+/// function makes, and whatever keeps it from being emptied.
+pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
+    let failed = |path: &Path, error: &std::io::Error| match error.kind() {
+        // Another check was faster, or is writing what it found.
+        ErrorKind::NotFound | ErrorKind::DirectoryNotEmpty => Ok(()),
+        _ => Err(StoreError::io(path, error)),
+    };
+    check_artifacts(path)?;
+    let mark = path.join(ARTIFACTS_MARK.0);
+    // What another check is writing at this moment stays.
+    sweep(path);
+    // The mark comes first and stays, so that a run cut short leaves a folder
+    // that the next one knows.
+    if !is_file(&mark) {
+        // Another check that begins may be emptying the folder by then.
+        write(&mark, ARTIFACTS_MARK.1).or_else(|e| if is_file(&mark) { Ok(()) } else { Err(e) })?;
+    }
+    for entry in WalkDir::new(path).min_depth(1).contents_first(true) {
+        let entry = match entry {
+            Ok(entry) => entry,
+            Err(error) => {
+                let at = error.path().unwrap_or(path).to_owned();
+                failed(&at, &error.into())?;
+                continue;
+            }
+        };
+        let entry_path = entry.path();
+        if entry_path == mark || is_temporary(entry_path) {
+            continue;
+        }
+        let is_folder = entry.file_type().is_dir();
+        let remove =
+            if is_folder { fs::remove_dir(entry_path) } else { fs::remove_file(entry_path) };
+        remove.or_else(|error| failed(entry_path, &error))?;
     }
     Ok(())
 }

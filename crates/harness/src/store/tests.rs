@@ -1,6 +1,5 @@
 //! What is read, written, emptied, listed and swept away, and what is not.
 
-use super::artifacts::ARTIFACTS_MARK;
 use super::*;
 
 #[test]
