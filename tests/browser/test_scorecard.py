@@ -103,6 +103,14 @@ def test_renderers_are_told_as_they_are(open_card, cards):
     assert "may be common to all" not in look.text("[data-id=limited]")
 
 
+def test_a_part_of_the_suite_is_told_as_one(open_card, cards):
+    selection = told(cards)["selection"]
+    assert selection["fixtures"] == 8 < selection["of"]
+    assert open_card("few").text(".selection") == f"{selection['words']}."
+    assert told(cards, "many")["selection"] is None
+    assert open_card("many").page.locator(".selection").count() == 0
+
+
 def test_the_matrix_says_what_the_runs_say(open_card, cards):
     look = open_card("few")
     rows = look.page.locator(".matrix").first.locator("tr:has(th[scope=row])")

@@ -126,11 +126,13 @@ impl Here {
     /// Refuses a file that [`Here::write`] would refuse.
     ///
     /// # Errors
-    /// It lies among fixtures, goldens or artifacts, or what is there is no file.
+    /// It lies among fixtures, goldens, adapters or artifacts, or what is there is no file.
     pub fn may_write(&self, path: &Path) -> Result<(), CannotAsk> {
         if let Ok(suite) = self.suite() {
             // What is in the artifacts' folder is gone with the next check.
-            for folder in ["fixtures", "golden", Suite::ARTIFACTS, Suite::CONFORM, Suite::CACHE] {
+            for folder in
+                ["fixtures", "golden", "adapters", Suite::ARTIFACTS, Suite::CONFORM, Suite::CACHE]
+            {
                 if store::is_inside(path, &suite.root().join(folder)) {
                     let what = format!("expected a place outside of the suite's {folder}/");
                     return Err(CannotAsk::file(path, &what));
@@ -138,6 +140,21 @@ impl Here {
             }
         }
         Ok(store::check_place(path)?)
+    }
+
+    /// Refuses a file for what a machine reads that [`Here::write`] would refuse, or that
+    /// is there already and was written by hand: a scene, an adapter or a rubric.
+    ///
+    /// # Errors
+    /// See [`Here::may_write`]; a file that is there and ends in `.ron`.
+    pub fn may_report(&self, path: &Path) -> Result<(), CannotAsk> {
+        self.may_write(path)?;
+        let is_ron = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("ron"));
+        if is_ron && store::is_file(path) {
+            let what = "is there, and may be a scene, an adapter or a rubric: name another file";
+            return Err(CannotAsk::file(path, what));
+        }
+        Ok(())
     }
 
     /// How paths and commands are to be written so that they work here.

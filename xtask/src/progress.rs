@@ -43,6 +43,11 @@ impl Progress {
         self.0.inc(1);
     }
 
+    /// Does something that prints, with the bar out of its way.
+    pub fn beside<T>(&self, print: impl FnOnce() -> T) -> T {
+        self.0.suspend(print)
+    }
+
     /// Takes the bar away.
     pub fn finish(&self) {
         self.0.finish_and_clear();

@@ -300,3 +300,17 @@ fn ctrl_c_ends_the_renderer_as_well() {
     ran.expect("interrupted: T has not rendered everything");
     is_gone(fs::read_to_string(pid).unwrap().trim());
 }
+
+#[test]
+fn a_card_of_a_part_of_the_suite_says_so() {
+    let tree = suite(RIGHT, "");
+    tree.run(&["conform", "--renderer", "t", "f*", "--out", "card"]).expect_code(0);
+    let card = || -> Value {
+        serde_json::from_slice(&fs::read(tree.path("card/scorecard.json")).unwrap()).unwrap()
+    };
+    let words = "Only a part of the suite was asked for: 1 of 3 fixtures, by the filter \"f*\"";
+    assert_eq!(card()["selection"]["words"], words);
+    // What selects everything is no part.
+    tree.run(&["conform", "--renderer", "t", "*", "--out", "card"]).expect_code(0);
+    assert_eq!(card()["selection"], Value::Null);
+}

@@ -12,6 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use conform::card::Selection;
 use conform::grade::{self, Grade, Plan};
 use conform::trial::{Damage, Trial};
 use conform::{Conformed, Objects, card};
@@ -58,11 +59,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         .filter(|(name, _)| FEW.contains(&name.as_str()))
         .map(|(n, f)| (n.clone(), f.clone()))
         .collect();
-    write(&out.join("many"), &four(&all), &all)?;
+    write(&out.join("many"), (&four(&all), None), &all)?;
     let four_of_few = four(&few);
-    write(&out.join("few"), &four_of_few, &few)?;
-    write(&out.join("one"), &four_of_few[1..2], &few)?;
-    write(&out.join("empty"), &[], &few)?;
+    let part = Selection::of(&FEW.map(str::to_owned), few.len(), all.len());
+    write(&out.join("few"), (&four_of_few, part), &few)?;
+    write(&out.join("one"), (&four_of_few[1..2], None), &few)?;
+    write(&out.join("empty"), (&[], None), &few)?;
     write_grade(&out.join("grade"), &four_of_few[3], &few)
 }
 
@@ -100,7 +102,9 @@ fn four(all: &Fixtures) -> Vec<Conformed> {
     ]
 }
 
-fn write(folder: &Path, runs: &[Conformed], all: &Fixtures) -> Result<(), Box<dyn Error>> {
+type Runs<'a> = (&'a [Conformed], Option<Selection>);
+
+fn write(folder: &Path, runs: Runs<'_>, all: &Fixtures) -> Result<(), Box<dyn Error>> {
     card::write(folder, runs, &|name| all.get(name).map(Objects::of))?;
     Ok(())
 }

@@ -4,6 +4,7 @@
 //! file in the same folder, then renamed.
 #![allow(clippy::disallowed_methods)]
 
+mod artifacts;
 mod extent;
 mod folder_assets;
 mod processes;
@@ -20,6 +21,7 @@ use std::sync::{OnceLock, RwLock};
 use tempfile::NamedTempFile;
 use walkdir::WalkDir;
 
+pub use artifacts::check_artifacts;
 pub use extent::{folder_bytes, is_program};
 pub use folder_assets::FolderAssets;
 pub use processes::processes_with;
@@ -247,22 +249,8 @@ pub fn empty_artifacts(path: &Path) -> Result<(), StoreError> {
         ErrorKind::NotFound | ErrorKind::DirectoryNotEmpty => Ok(()),
         _ => Err(StoreError::io(path, error)),
     };
-    check_no_link(path)?;
-    let entries: Vec<_> = match fs::read_dir(path) {
-        Ok(entries) => entries.filter_map(Result::ok).map(|entry| entry.path()).collect(),
-        Err(error) => failed(path, &error).map(|()| Vec::new())?,
-    };
-    let entries: Vec<_> = entries.into_iter().filter(|entry| !is_temporary(entry)).collect();
+    check_artifacts(path)?;
     let mark = path.join(ARTIFACTS_MARK.0);
-    // Other programs mark folders by a file of this name too.
-    let is_marked = || {
-        let found = read(&mark, ARTIFACTS_MARK.1.len() as u64).ok().flatten();
-        found.is_some_and(|found| found == ARTIFACTS_MARK.1)
-    };
-    if !entries.is_empty() && !is_marked() {
-        let what = "is in the way of the artifacts and was not made by goldray: move it";
-        return Err(StoreError::new(path, what));
-    }
     // What another check is writing at this moment stays.
     sweep(path);
     // The mark comes first and stays, so that a run cut short leaves a folder

@@ -93,7 +93,7 @@ fn run(cli: &Cli) -> Result<Answer, CannotAsk> {
         return Err(CannotAsk(what.to_owned()));
     }
     for path in cli.json.iter().chain(&cli.markdown) {
-        here.may_write(path)?;
+        here.may_report(path)?;
     }
     let others = not_matching(&suite, &names);
     if !others.is_empty() {

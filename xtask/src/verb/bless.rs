@@ -60,7 +60,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         return Ok(write_again(&suite, &selection));
     }
     if let Some(file) = &args.plan {
-        here.may_write(file)?;
+        here.may_report(file)?;
     }
     let progress = Progress::start("blessing", selection.fixtures.len() + selection.orphans.len());
     let proposals = propose(&suite, &selection, args.prune, &|name| progress.advance(name));

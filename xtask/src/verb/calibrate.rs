@@ -47,7 +47,7 @@ const MAX_BYTES: u64 = 256 << 20;
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if let Some(path) = &args.json {
-        here.may_write(path)?;
+        here.may_report(path)?;
     }
     let suite = here.suite()?;
     let names = Here::fixtures(&suite, &args.filters)?;

@@ -1,6 +1,9 @@
 //! `conform`: the suite rendered by other renderers, and judged.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod lines;
+mod places;
+
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -13,6 +16,7 @@ use harness::suite::Suite;
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::{Answer, CannotAsk, Here};
+use lines::Lines;
 
 /// Flags of `conform`.
 #[derive(Debug, clap::Args)]
@@ -60,12 +64,15 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
 
 pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     if let Some(json) = &args.json {
-        here.may_write(json)?;
+        here.may_report(json)?;
     }
+    let outputs: Vec<_> = args.json.iter().cloned().collect();
     let asked = Asked {
         renderers: &args.renderers,
         filters: &args.filters,
         out: args.out.as_deref(),
+        inputs: &[],
+        outputs: &outputs,
         jobs: args.jobs.into(),
         timeout: args.timeout,
     };
@@ -93,7 +100,14 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
 fn report(here: &Here, args: &Args, all: &[Conformed]) -> Result<(), CannotAsk> {
     let suite = here.suite()?;
     let out = args.out.clone().unwrap_or_else(|| suite.root().join(Suite::CONFORM));
-    let (_, files) = card::write(&out, all, &|name| objects_of(&suite, name))?;
+    let selection = if args.filters.is_empty() {
+        None
+    } else {
+        let asked = Here::fixtures(&suite, &args.filters)?.len();
+        card::Selection::of(&args.filters, asked, Here::fixtures(&suite, &[])?.len())
+    };
+    let runs = (all, selection);
+    let (_, files) = card::write(&out, runs, &|name| objects_of(&suite, name))?;
     for path in files {
         println!("wrote {}", path.display());
     }
@@ -113,6 +127,10 @@ pub(crate) struct Asked<'a> {
     pub(crate) filters: &'a [String],
     /// Where results are put; the suite's own place if it is not said.
     pub(crate) out: Option<&'a Path>,
+    /// What is read beside adapters and the suite, and must not be written over.
+    pub(crate) inputs: &'a [PathBuf],
+    /// Files that are written by whoever asks.
+    pub(crate) outputs: &'a [PathBuf],
     /// How many scenes are rendered at a time.
     pub(crate) jobs: usize,
     /// How long a picture may take, in place of what the adapters say.
@@ -146,14 +164,29 @@ pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk
     };
     let names = Here::fixtures(&suite, asked.filters)?;
     // Before anything is rendered: a program that is not there is not asked.
-    let renderers = find(&suite, asked.renderers, &out, &stop)?;
-    let subjects = right_ones(here, &suite, &names)?;
+    let renderers = match find(&suite, asked.renderers, &out, &stop) {
+        Err(_) if interrupt.is_set() => return Ok(Ran::Interrupted(interrupted(NOBODY))),
+        found => found?,
+    };
+    let written = [asked.outputs, &files_of(&out, &renderers)].concat();
+    places::keep_apart(&renderers, asked.inputs, (&out, &written))?;
+    let Some(subjects) = right_ones(here, &suite, &names, &stop)? else {
+        return Ok(Ran::Interrupted(interrupted(NOBODY)));
+    };
+    for renderer in &renderers {
+        Renderer::check_folder(&out.join(&renderer.info.id))?;
+    }
+    // What earlier runs have left goes away only when nothing is in the way of this one.
+    for renderer in &renderers {
+        renderer.prepare(&out.join(&renderer.info.id))?;
+    }
     let mut all = Vec::new();
     for renderer in &renderers {
         let folder = out.join(&renderer.info.id);
         let plan = Plan { jobs: asked.jobs, timeout: asked.timeout, folder: &folder, stop: &stop };
         let Some(conformed) = one(renderer, &subjects, &plan)? else {
-            return Ok(Ran::Interrupted(interrupted(&renderer.info.name)));
+            let who = format!("{} has not rendered everything", renderer.info.name);
+            return Ok(Ran::Interrupted(interrupted(&who)));
         };
         println!("results: {}", folder.join(RESULTS).display());
         all.push(conformed);
@@ -161,11 +194,20 @@ pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk
     Ok(Ran::All(all))
 }
 
+/// Who has rendered where nobody was asked yet.
+const NOBODY: &str = "no renderer was asked for a picture";
+
 /// What a shell calls ended by Ctrl-C.
-fn interrupted(name: &str) -> Answer {
+fn interrupted(what: &str) -> Answer {
     const CODE: u8 = 130;
-    eprintln!("interrupted: {name} has not rendered everything, and nothing of it is left running");
+    eprintln!("interrupted: {what}, and nothing is left running");
     Answer::Code(CODE)
+}
+
+/// The files that are made of all runs together, in their folder.
+fn files_of(out: &Path, renderers: &[Renderer]) -> Vec<PathBuf> {
+    let ids = renderers.iter().map(|renderer| renderer.info.id.as_str());
+    card::file_names(ids).into_iter().map(|name| out.join(name)).collect()
 }
 
 /// The renderers that were named, each of which is there.
@@ -192,10 +234,16 @@ fn find(
     Ok(renderers)
 }
 
-/// The fixtures with goldray's own pictures, all of which are right.
-fn right_ones(here: &Here, suite: &Suite, names: &[String]) -> Result<Vec<Subject>, CannotAsk> {
+/// The fixtures with goldray's own pictures, all of which are right; `None` where it was
+/// time to end before they were rendered.
+fn right_ones(
+    here: &Here,
+    suite: &Suite,
+    names: &[String],
+    stop: conform::process::Stop<'_>,
+) -> Result<Option<Vec<Subject>>, CannotAsk> {
     let progress = Progress::start("rendering", names.len());
-    let made = subjects(suite, names, &|name| progress.advance(name));
+    let made = subjects(suite, names, &|name| progress.advance(name), stop);
     progress.finish();
     made.map_err(|wrong| {
         const SHOWN: usize = 8;
@@ -229,21 +277,15 @@ fn one(
     println!("{}{version}", renderer.info.name);
     let started = Instant::now();
     let progress = Progress::start("conforming", subjects.len());
-    // Lines come in the order of names, whoever ends first.
-    let lines = std::sync::Mutex::new(BTreeMap::new());
+    let lines = Lines::new(subjects.iter().map(|subject| subject.name.as_str()), &progress);
     let told = |told: &Told<'_>| {
-        let mut lines = lines.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if told.result.outcome != Outcome::Pass {
-            lines.insert(told.name.to_owned(), line(told));
-        }
+        lines.tell(told.name, (told.result.outcome != Outcome::Pass).then(|| line(told)));
         progress.advance(told.name);
     };
-    let conformed = run(renderer, subjects, plan, &told);
+    let stop = |time| (plan.stop)(time) || lines.is_unread();
+    let conformed = run(renderer, subjects, &Plan { stop: &stop, ..*plan }, &told);
     progress.finish();
-    let lines = lines.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    for line in lines.values() {
-        println!("{line}");
-    }
+    lines.finish();
     let Some(conformed) = conformed? else { return Ok(None) };
     let counts = summary(&conformed);
     println!("{}: {counts} ({:.1} s)", renderer.info.name, started.elapsed().as_secs_f64());

@@ -1,9 +1,13 @@
 //! `grade`: points for what a renderer gets right, by a rubric.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use conform::grade::{Grade, Plan, grade_lines, plan_lines, write};
+use conform::adapter::Adapter;
+use conform::grade::{FILES, Grade, Plan, grade_lines, plan_lines, write};
 use conform::objects_of;
+use harness::fixture::{Build, Fixture};
+use harness::suite::Suite;
 
 use super::conform::{Asked, Ran, conformed, seconds};
 use crate::{Answer, CannotAsk, Here};
@@ -27,7 +31,7 @@ pub(crate) struct Args {
     /// Kill the renderer after so long, in place of what its adapter says
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     timeout: Option<std::time::Duration>,
-    /// Say what each part of the rubric is about, and render nothing
+    /// Say what each part of the rubric is about and what the adapter rules out; ask nobody
     #[arg(long)]
     plan: bool,
 }
@@ -39,6 +43,27 @@ Exit codes: 0 full points; 1 less; 2 could not ask, also where the rubric is wro
 Examples:
   cargo xtask grade --renderer mine --rubric rubric.ron         the points, and a page with evidence
   cargo xtask grade --renderer mine --rubric rubric.ron --plan  what is asked for, part by part";
+
+/// What the adapter does not ask the renderer for, by fixture, with the reasons.
+fn ruled_out(
+    suite: &Suite,
+    wanted: &str,
+    plan: &Plan,
+) -> Result<BTreeMap<String, String>, CannotAsk> {
+    let adapter = Adapter::find(suite, wanted).map_err(CannotAsk)?;
+    let mut out = BTreeMap::new();
+    for name in plan.asked() {
+        let label = Suite::fixture_label(name);
+        let fixture = Fixture::open(&label, &suite.fixture_path(name), Build::default());
+        let fixture = fixture.map_err(CannotAsk)?;
+        let features = plan.features.get(name).cloned().unwrap_or_default();
+        let why = conform::run::ruled_out(&adapter, &fixture, &features);
+        if !why.is_empty() {
+            out.insert(name.clone(), why.join("; "));
+        }
+    }
+    Ok(out)
+}
 
 /// Where a grade is put, in the suite, unless it is said.
 const FOLDER: &str = "target/goldray-grade";
@@ -56,7 +81,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let all = Here::fixtures(&suite, &[])?;
     let plan = Plan::open(&args.rubric, &suite, &all).map_err(CannotAsk)?;
     if args.plan {
-        print!("{}", plan_lines(&plan));
+        print!("{}", plan_lines(&plan, &ruled_out(&suite, &args.renderer, &plan)?));
         return Ok(Answer::Yes);
     }
     let names: Vec<String> = plan.asked().into_iter().cloned().collect();
@@ -64,6 +89,8 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         renderers: std::slice::from_ref(&args.renderer),
         filters: &names,
         out: Some(&out),
+        inputs: std::slice::from_ref(&args.rubric),
+        outputs: &FILES.map(|name| out.join(name)),
         jobs: args.jobs.into(),
         timeout: args.timeout,
     };

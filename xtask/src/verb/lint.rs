@@ -33,7 +33,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let visible =
         Visible::from_texts(&args.visible).map_err(|why| CannotAsk(format!("--visible: {why}")))?;
     if let Some(path) = &args.json {
-        here.may_write(path)?;
+        here.may_report(path)?;
     }
     let suite = here.suite()?;
     let names = Here::fixtures(&suite, &args.filters)?;

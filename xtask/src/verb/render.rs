@@ -64,7 +64,7 @@ pub(crate) fn run(
     let to_file = out.as_deref().map(encoder).transpose()?;
     // Before the work of rendering.
     for file in [out, stats].into_iter().flatten() {
-        here.may_write(file)?;
+        here.may_report(file)?;
     }
     let skipping = if *no_skip { Skipping::Off } else { Skipping::On };
     let plan = fixture.plan(skipping);

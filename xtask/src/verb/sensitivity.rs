@@ -51,7 +51,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
         Visible::from_texts(&args.visible).map_err(|why| CannotAsk(format!("--visible: {why}")))?;
     let files = [&args.json, &args.picture, &args.markdown];
     for path in files.into_iter().flatten() {
-        here.may_write(path)?;
+        here.may_report(path)?;
     }
     let suite = here.suite()?;
     let names = Here::fixtures(&suite, &args.filters)?;

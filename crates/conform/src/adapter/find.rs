@@ -18,6 +18,8 @@ pub struct Located {
     pub label: String,
     /// The adapter file.
     pub text: String,
+    /// Where it is; `None` for one that comes with this program.
+    pub path: Option<PathBuf>,
     /// Its folder; `None` for one that comes with this program.
     pub folder: Option<PathBuf>,
     /// The programs that it needs in a folder of its own.
@@ -57,7 +59,14 @@ pub fn locate(suite: &Suite, wanted: &str) -> Result<Located, String> {
         BUILTIN.iter().find(|builtin| builtin.name == wanted)
     {
         let (id, label) = (name.to_owned(), format!("adapter.ron of {name}, built in"));
-        return Ok(Located { id, label, text: text.to_owned(), folder: None, programs });
+        return Ok(Located {
+            id,
+            label,
+            text: text.to_owned(),
+            path: None,
+            folder: None,
+            programs,
+        });
     }
     let mut known: Vec<String> = BUILTIN.iter().map(|builtin| builtin.name.to_owned()).collect();
     for name in store::names(&folder, "ron").map_err(|error| error.to_string())? {
@@ -90,7 +99,8 @@ fn read(path: &Path) -> Result<Option<Located>, String> {
         _ => path.file_stem(),
     };
     let id = id_of(&own_name.unwrap_or_default().to_string_lossy());
-    Ok(Some(Located { id, label, text, folder, programs: &[] }))
+    let path = Some(absolute);
+    Ok(Some(Located { id, label, text, path, folder, programs: &[] }))
 }
 
 /// A name in which every other character became `-`; never empty.

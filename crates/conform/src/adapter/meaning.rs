@@ -50,13 +50,16 @@ pub enum Rounding {
     /// To the nearest, `floor(max c + 0.5)`.
     #[default]
     Nearest,
-    /// To the lower one, as `(int)(255 * c)` does, or `255.999 * c`.
+    /// To the lower one, as `(int)(255 * c)` does.
     Down,
+    /// To the lower one of one step more than there are, as `(int)(256 * c)` does, or
+    /// `(int)(255.999 * c)`.
+    DownOfMore,
 }
 
 impl Rounding {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Nearest, Self::Down];
+    pub const ALL: [Self; 3] = [Self::Nearest, Self::Down, Self::DownOfMore];
 }
 
 /// Which row is held first.

@@ -17,6 +17,7 @@ pub use word::{Filling, Word};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use harness::suite::Suite;
 use interchange::Feature;
 use interchange::export::Dialect;
 use scene::{Problem, Step, report, span_of};
@@ -73,6 +74,9 @@ fn default_reach() -> f64 {
     DEFAULT_REACH
 }
 
+/// The longest name of a file that file systems have, in bytes.
+const MOST_OF_A_NAME: usize = 255;
+
 /// How far a sample is moved to tell edges, in pixels, unless an adapter says so.
 pub const DEFAULT_REACH: f64 = 1.0 / 64.0;
 
@@ -114,6 +118,15 @@ pub struct Adapter {
 }
 
 impl Adapter {
+    /// The adapter that is asked for by its name or path; see [`locate`].
+    ///
+    /// # Errors
+    /// There is none, or all its problems, as text for people.
+    pub fn find(suite: &Suite, wanted: &str) -> Result<Self, String> {
+        let located = locate(suite, wanted)?;
+        Self::read(&located.label, &located.text)
+    }
+
     /// Reads an adapter file, called `name` in messages.
     ///
     /// # Errors
@@ -218,9 +231,47 @@ fn examine(file: &AdapterFile, command: &[Word], version: &[Word], refuse: &mut 
     range("edge_reach", file.edge_reach, 1e-6, 0.1);
     for name in file.env.keys() {
         if name.is_empty() || name.contains(['=', '\0']) {
-            let message = format!("expected the name of a variable, found \"{name}\"");
-            refuse(vec!["env".into(), Step::key(name.clone())], message, None);
+            let found = scene::visible(name);
+            let message = format!("expected the name of a variable, found \"{found}\"");
+            let help = "letters, digits and _, without = and zero bytes".to_owned();
+            refuse(vec!["env".into(), Step::key(name.clone())], message, Some(help));
         }
+    }
+    sizes(file, refuse);
+}
+
+/// What no system starts a program with.
+fn sizes(file: &AdapterFile, refuse: &mut Refuse<'_>) {
+    /// The most bytes of a command, and of what is set in the environment beside it.
+    /// Windows starts no longer command than 32,767 characters, Linux has no longer word
+    /// than 128 KiB; what is filled in needs room too.
+    const MOST: usize = 24 << 10;
+    let in_script = "put it into a script beside the adapter: {folder}/render.sh";
+    for (field, words) in [("command", &file.command), ("version", &file.version)] {
+        let bytes: usize = words.iter().map(String::len).sum();
+        if bytes > MOST {
+            let message = format!("expected a command of at most {MOST} bytes, found {bytes}");
+            refuse(vec![field.into()], message, Some(in_script.to_owned()));
+        }
+    }
+    for (name, value) in file.env.iter().filter(|(_, value)| value.contains('\0')) {
+        let found = scene::visible(value);
+        let found: String = found.chars().take(40).collect();
+        let message = format!("expected a value without zero bytes, found \"{found}\"");
+        let help = "no variable can have one; take it out".to_owned();
+        refuse(vec!["env".into(), Step::key(name.clone())], message, Some(help));
+    }
+    let bytes: usize = file.env.iter().map(|(name, value)| name.len() + value.len()).sum();
+    if bytes > MOST {
+        let message = format!("expected variables of at most {MOST} bytes together, found {bytes}");
+        refuse(vec!["env".into()], message, Some(in_script.to_owned()));
+    }
+    if file.output.len() > MOST_OF_A_NAME {
+        let message = format!(
+            "expected the name of a file of at most {MOST_OF_A_NAME} bytes, found {}",
+            file.output.len()
+        );
+        refuse(vec!["output".into()], message, None);
     }
 }
 

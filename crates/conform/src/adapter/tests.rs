@@ -70,6 +70,31 @@ fn problems_are_told_together_with_their_places() {
 }
 
 #[test]
+fn what_no_program_is_started_with_is_refused_by_its_place() {
+    let with = |more: &str| SMALL.replace("scene: Ron", &format!("scene: Ron,\n{more}"));
+    let long = "a".repeat(30_000);
+    refused(
+        &SMALL.replace("{scene}", "{scene}\\u{0}"),
+        &["a.ron:1:28: expected a word without zero"],
+    );
+    refused(&with("version: [\"x\",\n\"\\u{0}\"]"), &["a.ron:3:1: expected a word without zero"]);
+    refused(
+        &with("env: {\"A\": \"b\",\n\"B\": \"x\\u{0}y\"}"),
+        &["a.ron:3:6: expected a value without zero bytes, found \"x\\u{0}y\""],
+    );
+    refused(
+        &with("env: {\"A\\u{0}\": \"b\"}"),
+        &["expected the name of a variable, found \"A\\u{0}\""],
+    );
+    let place = "expected a command of at most 24576 bytes, found 30008";
+    refused(&SMALL.replace("\"{sc", &format!("\"{long}\", \"{{sc")), &[place]);
+    let found = Adapter::read("a.ron", &with(&format!("env: {{\"A\": \"{long}\"}}"))).unwrap_err();
+    assert!(found.starts_with("a.ron:2:6: expected variables of at most 24576 bytes"), "{found}");
+    assert!(found.contains("put it into a script beside the adapter"), "{found}");
+    refused(&with(&format!("output: \"{}\"", "o".repeat(256))), &["at most 255 bytes, found 256"]);
+}
+
+#[test]
 fn what_is_built_in_is_good_and_is_what_the_folder_has() {
     for builtin in BUILTIN {
         Adapter::read(builtin.name, builtin.text).unwrap_or_else(|why| panic!("{why}"));

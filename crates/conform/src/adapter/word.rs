@@ -57,7 +57,11 @@ impl Word {
         let mut plain = String::new();
         let mut rest = text;
         if text.contains('\0') {
-            return Err(("a word of a command cannot have a zero byte in it".to_owned(), None));
+            let found = scene::visible(text);
+            let found: String = found.chars().take(40).collect();
+            let message = format!("expected a word without zero bytes, found \"{found}\"");
+            let help = "no command can have one; take it out".to_owned();
+            return Err((message, Some(help)));
         }
         while let Some(at) = rest.find(['{', '}']) {
             plain.push_str(&rest[..at]);
@@ -181,6 +185,6 @@ mod tests {
         refused("{ scene }", "did you mean {scene}?");
         refused("{scene", "braces in pairs");
         refused("a}", "braces in pairs");
-        refused("a\0", "zero byte");
+        refused("a\0", "expected a word without zero bytes, found \"a\\u{0}\"");
     }
 }

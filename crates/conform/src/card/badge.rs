@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::Column;
+use super::{Column, Selection};
 use crate::result::held_to;
 use crate::xml;
 
@@ -14,20 +14,33 @@ const MARGIN: u32 = 7;
 
 /// The badge of a renderer, an SVG file: so many of its fixtures pass. Those that its
 /// adapter does not support are among the others, and its title says how many they are.
-pub fn badge(column: &Column) -> String {
+/// Where only a part of the suite was asked for, it says so.
+pub fn badge(column: &Column, selection: Option<&Selection>) -> String {
     let tally = &column.tally;
     let (passed, total) = (tally.passed(), tally.total());
     let words = match total {
         0 => "no fixtures".to_owned(),
+        _ if selection.is_some() => format!("{passed} of {total} pass, a part of the suite"),
         _ => format!("{passed} of {total} pass"),
     };
     let rest = tally.rest_words();
     let rest = if rest.is_empty() { rest } else { format!(" ({rest})") };
     let held_to = held_to(column.tolerance, column.edge_reach);
+    let part = selection.map_or(String::new(), |part| format!("; {}", part.words()));
     let name = scene::visible(&column.info.name);
-    let title = format!("{LABEL}: {name}: {words}{rest}, held to {held_to}");
+    let title = format!("{LABEL}: {name}: {words}{rest}, held to {held_to}{part}");
     draw(&title, &words, color(passed, total))
 }
+
+/// Whether a file begins as those of [`badge`] do, whatever it tells.
+pub(super) fn is_badge(file: &[u8]) -> bool {
+    let head = &file[..file.len().min(HEAD_BYTES)];
+    let head = String::from_utf8_lossy(head);
+    head.starts_with("<svg ") && head.contains(&format!("<title id=\"t\">{LABEL}: "))
+}
+
+/// The beginning of a badge, up to its title, is no longer.
+const HEAD_BYTES: usize = 256;
 
 /// Colors that white letters can be read on: their contrast is 4.5 or more.
 fn color(passed: u64, total: u64) -> &'static str {
@@ -99,7 +112,7 @@ mod tests {
         let run = run("r");
         let tally = Tally::of(std::iter::repeat("f").zip(&results));
         let info = RendererInfo { name: name.to_owned(), ..run.renderer };
-        badge(&Column { info, tolerance: 0.0, edge_reach: 0.0, tally })
+        badge(&Column { info, tolerance: 0.0, edge_reach: 0.0, tally }, None)
     }
 
     #[track_caller]

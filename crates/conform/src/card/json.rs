@@ -2,7 +2,9 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Answered, Card, Cell, Column, Entry, Row, Standing, Suspicion, Tally, Worst};
+use super::{
+    Answered, Card, Cell, Column, Entry, Row, Selection, Standing, Suspicion, Tally, Worst,
+};
 use crate::consensus::{Opinion, Overall, Pixels, Region, Share, Told, Voters};
 use crate::objects::Seen;
 use crate::outcome;
@@ -12,12 +14,23 @@ pub fn json(card: &Card) -> Value {
     let meaning = |standing: Standing| json!({ "id": standing.id(), "words": standing.words(), "meaning": standing.meaning() });
     json!({
         "schema": 1,
+        "selection": card.selection.as_ref().map(selection),
         "renderers": card.renderers.iter().map(column).collect::<Vec<_>>(),
         "standings": Standing::ALL.map(meaning),
         "features": card.rows.iter().map(|r| row(card, r)).collect::<Vec<_>>(),
         "unasked": card.unasked.iter().map(|feature| feature.name()).collect::<Vec<_>>(),
         "fixtures": card.fixtures.iter().map(|(n, f)| fixture(card, n, f)).collect::<Vec<_>>(),
         "consensus": overall(&card.consensus),
+    })
+}
+
+/// In `words` as people read it.
+fn selection(selection: &Selection) -> Value {
+    json!({
+        "filters": selection.filters,
+        "fixtures": selection.fixtures,
+        "of": selection.of,
+        "words": selection.words(),
     })
 }
 

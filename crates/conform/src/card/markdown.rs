@@ -23,6 +23,10 @@ pub fn markdown(card: &Card) -> String {
     if card.is_empty() {
         return page + "No renderer was asked for a picture.\n";
     }
+    if let Some(selection) = &card.selection {
+        // Writing to a String cannot fail.
+        let _ = write!(page, "{}.\n\n", prose(&selection.words()));
+    }
     page += &renderers(card);
     page += &features(card);
     for (i, column) in card.renderers.iter().enumerate() {

@@ -9,6 +9,7 @@ mod json;
 mod markdown;
 mod page;
 mod rule;
+mod selection;
 mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -25,8 +26,9 @@ pub use markdown::{markdown, sentences};
 pub(crate) use page::grade_html;
 pub use page::html;
 pub use rule::{Reading, Standing, Suspicion};
+pub use selection::Selection;
 pub use tally::{Tally, Worst};
-pub use write::{WriteError, write};
+pub use write::{WriteError, file_names, write};
 
 use crate::consensus::{self, Overall, Told};
 use crate::objects::{Objects, Seen};
@@ -39,6 +41,8 @@ pub type Look<'a> = dyn Fn(&str) -> Option<Objects> + 'a;
 /// Renderers beside what scenes ask of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Card {
+    /// Which part of the suite was asked for; `None` where it was all of it.
+    pub selection: Option<Selection>,
     /// The renderers, in the order of the runs.
     pub renderers: Vec<Column>,
     /// What the fixtures ask for, by family.
@@ -156,12 +160,19 @@ impl Card {
         let consensus = consensus::overall(told);
         let rows = Vec::into_iter(asked).map(row).collect();
         Ok(Self {
+            selection: None,
             renderers: runs.iter().map(column).collect(),
             rows,
             unasked,
             fixtures,
             consensus,
         })
+    }
+
+    /// The same card, of a part of the suite.
+    #[must_use]
+    pub fn of_part(self, selection: Option<Selection>) -> Self {
+        Self { selection, ..self }
     }
 
     /// Whether nothing was asked of anybody.
@@ -186,12 +197,17 @@ impl Card {
     }
 }
 
+/// Whether this is a name of files: letters, digits, `-` and `_`.
+fn is_id(id: &str) -> bool {
+    let is_good = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    !id.is_empty() && id.chars().all(is_good)
+}
+
 fn check_ids(runs: &[Conformed]) -> Result<(), NoCard> {
     let mut seen = BTreeSet::new();
     for one in runs {
         let id = &one.run.renderer.id;
-        let is_good = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        if id.is_empty() || !id.chars().all(is_good) {
+        if !is_id(id) {
             return Err(NoCard::BadId(id.clone()));
         }
         // Some systems do not tell upper from lower case in names of files.

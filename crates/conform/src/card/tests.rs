@@ -118,7 +118,7 @@ fn the_page_of_markdown_says_it_all() {
         "| Sphere | passes 2/2 | cleared 1/2 | passes 2/2 | unsupported |",
         "\n## What fails with gamma\n",
         "\n## What fails with &#60;wrong&#62;\n",
-        "on the Sphere of fixtures/ball.ron&#58;&#8203;3&#58;&#8203;2 |",
+        "on the Sphere of fixtures/ball.ron:3:2 |",
         "| <code>block</code> | fail |",
         "| Box |\n",
         "gamma stands alone in ",
@@ -149,7 +149,7 @@ fn a_sentence_tells_who_where_and_on_what() {
 #[test]
 fn every_file_is_written_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let (card, files) = write(folder.path(), &four(), &|_| None).unwrap();
+    let (card, files) = write(folder.path(), (&four(), None), &|_| None).unwrap();
     assert_eq!(card.renderers.len(), 4);
     let names: Vec<_> =
         files.iter().map(|path| path.file_name().unwrap().to_string_lossy().into_owned()).collect();
@@ -175,4 +175,53 @@ fn the_document_lists_every_feature() {
     let listed = listed.filter_map(|(_, rest)| rest.split_once("` |")).map(|(name, _)| name);
     let all: Vec<_> = Feature::ALL.iter().map(|feature| feature.name()).collect();
     assert_eq!(listed.collect::<Vec<_>>(), all, "docs/scorecard.md, \"The features\"");
+}
+
+#[test]
+fn what_is_a_part_of_the_suite_says_so_everywhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let part = Selection { filters: vec!["b*".to_owned()], fixtures: 3, of: 9 };
+    let words = "Only a part of the suite was asked for: 3 of 9 fixtures, by the filter \"b*\"";
+    assert_eq!(part.words(), words);
+    let (card, files) = write(folder.path(), (&four(), Some(part)), &|_| None).unwrap();
+    let read = |i: usize| {
+        let bytes = harness::store::read(&files[i], 1 << 30).unwrap().unwrap();
+        String::from_utf8(bytes).unwrap()
+    };
+    let told: serde_json::Value = serde_json::from_str(&read(0)).unwrap();
+    let expected = serde_json::json!({ "filters": ["b*"], "fixtures": 3, "of": 9, "words": words });
+    assert_eq!(told["selection"], expected);
+    let page = read(1);
+    let line = "by the filter \"b&#42;\".\n";
+    assert!(page.starts_with("# Scorecard\n\nOnly a part") && page.contains(line), "{page}");
+    let page = html(&card, &four());
+    assert!(page.contains("\"selection\":{"), "the page has what the document has");
+    assert!(page.contains("selectionLine"), "and shows it");
+    let badge = read(3);
+    assert!(badge.contains(">3 of 3 pass, a part of the suite</text>"), "{badge}");
+    assert!(badge.contains("3 of 9 fixtures, by the filter &quot;b*&quot;</title>"), "{badge}");
+    let (whole, _) = write(folder.path(), (&four(), None), &|_| None).unwrap();
+    assert_eq!(json(&whole)["selection"], serde_json::Value::Null);
+}
+
+#[test]
+fn badges_of_an_earlier_card_go_and_those_of_strangers_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let put = |name: &str| harness::store::write(&path(name), b"<svg >mine</svg>").unwrap();
+    let is_there = |name: &str| harness::store::is_file(&path(name));
+    put("badge-coverage.svg");
+    write(folder.path(), (&four(), None), &|_| None).unwrap();
+    // Somebody drew this one anew.
+    put("badge-few.svg");
+    write(folder.path(), (&four()[..1], None), &|_| None).unwrap();
+    let found = ["right", "gamma", "wrong", "few", "coverage"]
+        .map(|id| is_there(&format!("badge-{id}.svg")));
+    assert_eq!(found, [true, false, false, true, true]);
+    // An earlier file of that name that is no card, and one that names files elsewhere.
+    for text in ["no JSON", "{\"renderers\": [{\"id\": \"../outside\"}, {\"id\": \"a/b\"}, 7]}"] {
+        harness::store::write(&path("scorecard.json"), text.as_bytes()).unwrap();
+        write(folder.path(), (&four()[1..2], None), &|_| None).unwrap();
+        assert!(is_there("badge-right.svg") && is_there("badge-gamma.svg"));
+    }
 }

@@ -2,7 +2,8 @@
 //! region by region.
 //!
 //! goldray is one of them, by the picture that judges the others. A run of goldray
-//! itself, by its own adapter, is the same program: it gets no second vote.
+//! itself, by its own adapter, is the same program: it gets no second vote. A picture
+//! that may be of a single color where goldray's is not has none either.
 //!
 //! Two agree in a pixel where what their files may stand for is in no channel farther
 //! apart than the larger tolerance, relative to the brightest channel of the two.
@@ -42,7 +43,7 @@ pub const MOST_REGIONS: usize = 100;
 pub struct Told {
     /// Who was heard, by id, goldray first.
     pub voters: Vec<String>,
-    /// Whose picture there is not, or whose is of another size, by id.
+    /// Whose picture there is not, is of another size or says nothing, by id.
     pub unheard: Vec<String>,
     /// Of the pictures.
     pub size: Size,
@@ -110,6 +111,7 @@ pub fn of_fixture(
         let evidence = one.evidence.get(name).filter(|evidence| {
             is_whole(evidence)
                 && is_same(&evidence.reference, &reference.reference)
+                && !says_nothing(evidence)
                 && voices.len() < MOST_VOTERS
         });
         match evidence {
@@ -137,6 +139,28 @@ fn is_whole(evidence: &Evidence) -> bool {
     let sizes = [&evidence.actual, &evidence.low, &evidence.high].map(LinearImage::size);
     sizes == [evidence.reference.size(); 3]
         && [evidence.edges.len(), evidence.off.len()] == [pixels; 2]
+}
+
+/// Whether a picture may be of a single color where goldray's is not: nothing was drawn,
+/// all of it is clamped, or its codes are too coarse for so dark a scene. It would agree
+/// with whoever has that color somewhere, and is heard by no majority.
+fn says_nothing(evidence: &Evidence) -> bool {
+    /// A picture whose channels are no farther apart than this part of white is of one
+    /// color.
+    const ONE_COLOR: f64 = 1e-12;
+    let channel = |picture: &LinearImage, i: usize| {
+        let channels = picture.pixels().iter().map(|pixel| pixel.channels()[i]);
+        channels.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), c| {
+            (least.min(c), most.max(c))
+        })
+    };
+    let may_be_one = (0..3).all(|i| channel(&evidence.low, i).1 <= channel(&evidence.high, i).0);
+    let is_drawn = (0..3).any(|i| {
+        let (least, most) = channel(&evidence.reference, i);
+        most - least > ONE_COLOR
+    });
+    let is_number = |pixel: &Rgb| pixel.channels().iter().all(|c| !c.is_nan());
+    may_be_one && is_drawn && evidence.actual.pixels().iter().all(is_number)
 }
 
 /// Whether two pictures have the same bits.

@@ -237,3 +237,49 @@ fn all_in_agreement_have_no_picture() {
     let sum = overall([("f", &told), ("g", &told)].into_iter());
     assert_eq!((sum.fixtures, sum.agreed), (2, 2));
 }
+
+/// What `a`'s picture stands for where each number is within half a step to both sides.
+fn in_steps(runs: &mut [Conformed], step: f64) {
+    let evidence = runs[0].evidence.get_mut("f").unwrap();
+    let moved = |by: f64| {
+        let size = evidence.actual.size();
+        let pixel = |x, y| evidence.actual.get(x, y).unwrap() + Rgb::new(by, by, by);
+        LinearImage::from_fn(size, pixel)
+    };
+    let [low, high] = [-step / 2.0, step / 2.0].map(moved);
+    (evidence.low, evidence.high) = (low, high);
+}
+
+#[test]
+fn who_says_nothing_has_no_vote() {
+    #[track_caller]
+    fn check(reference: &[&str], a: &[&str], step: f64, is_heard: bool) {
+        let edges = vec!["...."; reference.len()];
+        let mut runs = runs(reference, &edges, &[a, reference, reference]);
+        in_steps(&mut runs, step);
+        let told = tell(&runs).unwrap();
+        let unheard: &[&str] = if is_heard { &[] } else { &["a"] };
+        assert_eq!(told.unheard, unheard, "{reference:?} {a:?} {step}");
+    }
+    // Nothing was drawn; a single pixel is something.
+    check(&["1234"], &["1111"], 0.0, false);
+    check(&["1234"], &["1112"], 0.0, true);
+    // The scene is of one color itself, and this is the right one, or another.
+    check(&["1111"], &["1111"], 0.0, true);
+    check(&["1111"], &["2222"], 0.0, true);
+    // Codes that are coarser than all that is seen.
+    check(&["1121"], &["1121"], 0.09, true);
+    check(&["1121"], &["1121"], 0.11, false);
+    check(&["1131"], &["1131"], 0.11, true);
+    // What is no number is nothing that could be of one color.
+    check(&["1234"], &["1?11"], 0.0, true);
+    // Clamped as a whole: anything above.
+    let mut clamped = runs(&["1234"], &["...."], &[&["9999"], &["1234"], &["1234"]]);
+    let evidence = clamped[0].evidence.get_mut("f").unwrap();
+    evidence.high = LinearImage::from_fn(evidence.high.size(), |_, _| {
+        Rgb::new(f64::INFINITY, f64::INFINITY, f64::INFINITY)
+    });
+    assert_eq!(tell(&clamped).unwrap().unheard, ["a"]);
+    // Then two are too few.
+    assert_eq!(tell(&clamped[..2]), None);
+}

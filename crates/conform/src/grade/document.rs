@@ -1,6 +1,6 @@
 //! What `docs/course.md` shows is what is read.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use harness::fixture::{Build, Fixture};
 use interchange::Feature;
@@ -8,6 +8,13 @@ use interchange::Feature;
 use super::{Ending, Per, Plan};
 
 const DOCUMENT: &str = include_str!("../../../../docs/course.md");
+
+const FIXTURES: [&str; 2] = ["fixtures/basics/ball.ron", "fixtures/shadow/on-a-box.ron"];
+
+#[track_caller]
+fn fixture(name: &str) -> Fixture {
+    Fixture::read(name, block(name), &scene::NoAssets, Build::Bvh).unwrap()
+}
 
 /// The block of RON that begins with the name of this file.
 #[track_caller]
@@ -19,19 +26,21 @@ fn block(file: &str) -> &'static str {
 
 #[test]
 fn every_block_is_of_a_file_that_is_tried() {
-    assert_eq!(DOCUMENT.matches("```ron\n").count(), 3);
+    assert_eq!(DOCUMENT.matches("```ron\n").count(), 4);
 }
 
 #[test]
 fn the_rubric_makes_sense() {
-    let suite = [
-        ("basics/ball", Feature::Sphere),
-        ("shadow/hard", Feature::Shadows),
-        ("boxes/one", Feature::Box),
-        ("extra/shiny", Feature::BlinnPhong),
-    ];
-    let suite: BTreeMap<_, _> =
-        suite.into_iter().map(|(name, has)| (name.to_owned(), BTreeSet::from([has]))).collect();
+    // What the scenes of the document ask for, and no others.
+    let suite: BTreeMap<_, _> = FIXTURES
+        .iter()
+        .map(|name| {
+            let fixture = fixture(name);
+            let asked = crate::asks(&fixture, &fixture.render_linear());
+            let name = name.strip_prefix("fixtures/").and_then(|name| name.strip_suffix(".ron"));
+            (name.unwrap().to_owned(), asked)
+        })
+        .collect();
     let text = block("rubric.ron");
     let plan = Plan::read(text, &suite);
     let plan = plan.unwrap_or_else(|why| panic!("{}", scene::report("rubric.ron", text, &why)));
@@ -41,10 +50,11 @@ fn the_rubric_makes_sense() {
 }
 
 #[test]
-fn the_fixture_is_one() {
-    let name = "fixtures/basics/ball.ron";
-    let fixture = Fixture::read(name, block(name), &scene::NoAssets, Build::Bvh).unwrap();
-    assert!(fixture.render().is_ok());
+fn the_fixtures_are_fixtures_and_in_the_template() {
+    for name in FIXTURES {
+        assert!(fixture(name).render().is_ok());
+        assert!(DOCUMENT.contains(&format!("\n  {name}")), "{name}");
+    }
 }
 
 #[test]

@@ -29,7 +29,7 @@ pub use plan::{Asked, MAX_BYTES, Plan};
 pub use points::Points;
 pub use rubric::{Ending, Often, Part, Penalty, Per, Rubric, VERSION};
 pub use text::{grade_lines, plan_lines};
-pub use write::write;
+pub use write::{FILES, write};
 
 use crate::result::held_to;
 use crate::{Conformed, FixtureResult, Outcome, RendererInfo};

@@ -26,6 +26,8 @@ pub struct Plan {
     pub unasked: Vec<String>,
     /// Fixtures that several parts ask for.
     pub shared: Vec<String>,
+    /// What each fixture of the suite asks for.
+    pub features: BTreeMap<String, BTreeSet<Feature>>,
 }
 
 /// Points with fixtures.
@@ -120,7 +122,8 @@ impl Judge<'_> {
         let all: BTreeSet<_> = counts.into_keys().cloned().collect();
         let penalty = |(i, penalty)| self.penalty(("penalties", i), penalty, &all);
         let penalties = rubric.penalties.iter().enumerate().map(penalty).collect();
-        Plan { rubric, parts, penalties, unasked, shared }
+        let features = self.fixtures.clone();
+        Plan { rubric, parts, penalties, unasked, shared, features }
     }
 
     /// Names are there, and no two are the same.

@@ -1,18 +1,27 @@
 //! A plan and a grade in lines, for people at a terminal.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use scene::visible;
 
 use super::{Grade, Plan};
 
-/// What each part of a plan is about.
-pub fn plan_lines(plan: &Plan) -> String {
+/// What each part of a plan is about, and which of its fixtures the adapter rules out:
+/// `ruled_out` has them by name, with the reason.
+pub fn plan_lines(plan: &Plan, ruled_out: &BTreeMap<String, String>) -> String {
     let mut text = format!("{}\n", visible(&plan.rubric.title));
     // Writing to a String cannot fail.
     for (part, asked) in plan.rubric.parts.iter().zip(&plan.parts) {
         let (points, name) = (asked.points.to_string(), visible(&part.name));
         let _ = writeln!(text, "{points:>8}  {name}: {}", list(asked.fixtures.iter()));
+        let out = asked.fixtures.iter().filter_map(|name| Some((name, ruled_out.get(name)?)));
+        let out: Vec<_> = out.map(|(name, why)| format!("{name} ({})", visible(why))).collect();
+        if !out.is_empty() {
+            let (count, all, out) = (out.len(), asked.fixtures.len(), out.join(", "));
+            let _ =
+                writeln!(text, "{:>8}  {count} of {all} are ruled out by the adapter: {out}", "");
+        }
     }
     for (penalty, asked) in plan.rubric.penalties.iter().zip(&plan.penalties) {
         let (points, name) = (format!("-{}", asked.points), visible(&penalty.name));

@@ -8,6 +8,9 @@ use super::{Grade, html, json, markdown};
 use crate::Conformed;
 use crate::card::{Look, WriteError};
 
+/// What the files of a grade are called.
+pub const FILES: [&str; 3] = ["grade.json", "grade.md", "grade.html"];
+
 /// Writes `grade.json`, `grade.md` and `grade.html` into `folder`; what is there already
 /// is written over. The files that were written.
 ///
@@ -21,13 +24,9 @@ pub fn write(
     look: &Look<'_>,
 ) -> Result<Vec<PathBuf>, WriteError> {
     let page = html(grade, conformed, look).map_err(WriteError::NoCard)?;
-    let files = [
-        ("grade.json", format!("{:#}\n", json(grade))),
-        ("grade.md", markdown(grade)),
-        ("grade.html", page),
-    ];
+    let texts = [format!("{:#}\n", json(grade)), markdown(grade, conformed), page];
     let mut written = Vec::new();
-    for (name, text) in files {
+    for (name, text) in FILES.into_iter().zip(texts) {
         let path = folder.join(name);
         store::write(&path, text.as_bytes()).map_err(WriteError::Store)?;
         written.push(path);

@@ -126,19 +126,7 @@ impl Levels {
         let count = f64::from(n) * f64::from(n);
         let pixels = (0..size.height).flat_map(|y| (0..size.width).map(move |x| (x, y)));
         let pixels = pixels.map(|(x, y)| {
-            let mut sum = [Level { low: 0.0, high: 0.0 }; 3];
-            for j in 0..n {
-                for i in 0..n {
-                    let at = (y * n + j) as usize * wide + (x * n + i) as usize;
-                    for (sum, level) in sum.iter_mut().zip(&self.pixels[at]) {
-                        // A pixel that is clamped at black is not below it: the others
-                        // would be free to be anything.
-                        sum.low += level.low.max(0.0);
-                        sum.high += level.high;
-                    }
-                }
-            }
-            sum.map(|sum| Level { low: sum.low / count, high: sum.high / count })
+            mean(n, |i, j| self.pixels[(y * n + j) as usize * wide + (x * n + i) as usize])
         });
         let pixels = pixels.collect();
         let nominal = LinearImage::from_fn(size, |x, y| {
@@ -154,19 +142,59 @@ impl Levels {
     }
 }
 
+/// What one pixel of a picture may be, from the top left, as [`Levels::of`] and
+/// [`Levels::gathered`] have it: for those who look at few.
+pub(super) fn pixel_of(
+    stored: &Stored,
+    n: u32,
+    meaning: Meaning,
+    (x, y): (u32, u32),
+) -> [Level; 3] {
+    let Size { width, height } = stored.size();
+    let at = |i: u32, j: u32| {
+        let (column, row) = (x * n + i, y * n + j);
+        let row = match meaning.rows {
+            Rows::TopFirst => row,
+            Rows::BottomFirst => height - 1 - row,
+        };
+        let pixel = stored.values()[row as usize * width as usize + column as usize];
+        pixel.map(|c| level(c, stored.depth(), meaning))
+    };
+    if n <= 1 { at(0, 0) } else { mean(n, at) }
+}
+
+/// The mean of a square of `n` by `n` pixels.
+fn mean(n: u32, at: impl Fn(u32, u32) -> [Level; 3]) -> [Level; 3] {
+    let count = f64::from(n) * f64::from(n);
+    let mut sum = [Level { low: 0.0, high: 0.0 }; 3];
+    for j in 0..n {
+        for i in 0..n {
+            for (sum, level) in sum.iter_mut().zip(at(i, j)) {
+                // A pixel that is clamped at black is not below it: the others
+                // would be free to be anything.
+                sum.low += level.low.max(0.0);
+                sum.high += level.high;
+            }
+        }
+    }
+    sum.map(|sum| Level { low: sum.low / count, high: sum.high / count })
+}
+
 /// What a number may stand for.
 fn level(stored: f64, depth: Depth, meaning: Meaning) -> Level {
     let linear = |c: f64| meaning.transfer.linear(c);
     match depth {
         Depth::Codes { max } => {
             let max = f64::from(max);
-            let (below, above) = match meaning.rounding {
-                Rounding::Nearest => (0.5, 0.5),
-                Rounding::Down => (0.0, 1.0),
+            let (below, above, white) = match meaning.rounding {
+                Rounding::Nearest => (0.5, 0.5, max),
+                Rounding::Down => (0.0, 1.0, max),
+                Rounding::DownOfMore => (0.0, 1.0, max + 1.0),
             };
+            let [low, high] = [stored - below, stored + above].map(|code| linear(code / white));
             Level {
-                low: if stored <= 0.0 { f64::NEG_INFINITY } else { linear((stored - below) / max) },
-                high: if stored >= max { f64::INFINITY } else { linear((stored + above) / max) },
+                low: if stored <= 0.0 { f64::NEG_INFINITY } else { low },
+                high: if stored >= max { f64::INFINITY } else { high },
             }
         }
         Depth::Single => {
@@ -224,6 +252,9 @@ mod tests {
         let down = Meaning { rounding: Rounding::Down, ..plain };
         check(100.0, EIGHT, down, 100.0 / 255.0, 101.0 / 255.0);
         check(0.0, EIGHT, down, f64::NEG_INFINITY, 1.0 / 255.0);
+        let more = Meaning { rounding: Rounding::DownOfMore, ..plain };
+        check(100.0, EIGHT, more, 100.0 / 256.0, 101.0 / 256.0);
+        check(255.0, EIGHT, more, 255.0 / 256.0, f64::INFINITY);
         let gamma = Meaning { transfer: Transfer::Gamma22, ..plain };
         let power = |c: f64| libm::pow(c / 255.0, 2.2);
         check(100.0, EIGHT, gamma, power(99.5), power(100.5));

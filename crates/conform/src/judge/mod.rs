@@ -90,14 +90,16 @@ pub fn judge(reference: &Reference<'_>, levels: &Levels, allowance: Allowance) -
     Judged { numbers, off, findings }
 }
 
-/// What would make a picture right that is not, if that is simple.
+/// What would make the interior of a picture right that is judged not to be, if that is
+/// simple: another meaning of its file, sides that are exchanged, samples in the corners
+/// of pixels.
 pub fn hint(
     reference: &Reference<'_>,
     stored: (&Stored, u32),
     meaning: Meaning,
-    allowance: Allowance,
+    judged: (Allowance, &Judged),
 ) -> Option<String> {
-    hint::hint(reference, stored, meaning, allowance)
+    hint::hint(reference, stored, meaning, judged)
 }
 
 /// How far a pixel is from the nearest that the file could stand for.

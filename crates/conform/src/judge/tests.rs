@@ -19,6 +19,16 @@ const SCENE: &str = r"(
     check: (expect: [CHECK]),
 )";
 
+/// A ball of every shade, to the side and lit from there: nothing is the same the other
+/// way around, and no pixel is that of its neighbor.
+const TILTED: &str = r"(
+    version: 1, image: (24, 16),
+    camera: Parallel(view_point: (0, 0, 9), view_width: 6, view_height: 4),
+    background: (0.25, 0.5, 0.125),
+    objects: [Sphere(center: (0.31, 0.4, 0), radius: 1.3, material: Lambert(diffuse: (0.8, 0.7, 0.5)))],
+    lights: [Directional(direction: (-1, -2, -3))],
+)";
+
 struct Held {
     fixture: Fixture,
     rendered: Rendered,
@@ -26,9 +36,12 @@ struct Held {
 }
 
 fn held(expect: &str) -> Held {
-    let text = SCENE.replace("CHECK", expect);
+    held_of(&SCENE.replace("CHECK", expect))
+}
+
+fn held_of(text: &str) -> Held {
     let files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
-    let fixture = Fixture::read("a", &text, &files, Build::Bvh).unwrap();
+    let fixture = Fixture::read("a", text, &files, Build::Bvh).unwrap();
     let rendered = fixture.render().unwrap();
     // Samples are moved far, so that a few pixels are edges.
     let around = tracer::edges(&fixture.scene, 0.25);
@@ -65,6 +78,11 @@ impl Held {
 
     fn judged(&self, stored: &Stored, meaning: Meaning) -> Judged {
         judge(&self.reference(), &Levels::of(stored, meaning).unwrap(), STRICT)
+    }
+
+    fn hinted(&self, stored: &Stored) -> Option<String> {
+        let judged = self.judged(stored, plain());
+        hint(&self.reference(), (stored, 1), plain(), (STRICT, &judged))
     }
 
     /// Any pixel that is an edge, and any that is none.
@@ -148,7 +166,7 @@ fn an_edge_may_show_either_side_and_nothing_else() {
 #[test]
 fn what_would_make_it_right_is_said() {
     let held = held("");
-    let hinted = |stored: &Stored| hint(&held.reference(), (stored, 1), plain(), STRICT);
+    let hinted = |stored: &Stored| held.hinted(stored);
     let size = held.rendered.linear.size();
     let flipped = held.floats(|x, y, _| held.rendered.linear.get(x, size.height - 1 - y).unwrap());
     assert!(hinted(&flipped).unwrap().contains("rows: BottomFirst"));
@@ -166,6 +184,84 @@ fn what_would_make_it_right_is_said() {
     assert_eq!(hinted(&held.floats(|_, _, c| c * 0.5)), None);
     let turned = Meaning { rows: Rows::BottomFirst, ..plain() };
     assert_eq!(held.judged(&flipped, turned).findings, [""; 0]);
+}
+
+#[test]
+fn exchanged_sides_are_told() {
+    let held = held_of(TILTED);
+    let Size { width, height } = held.rendered.linear.size();
+    let at = |x, y| held.rendered.linear.get(x, y).unwrap();
+    let mirrored = held.floats(|x, y, _| at(width - 1 - x, y));
+    assert_eq!(
+        held.hinted(&mirrored).unwrap(),
+        "its interior would be right mirrored left to right"
+    );
+    let both = held.floats(|x, y, _| at(width - 1 - x, height - 1 - y));
+    assert_eq!(
+        held.hinted(&both).unwrap(),
+        "its interior would be right mirrored left to right and upside down \
+         (`rows: BottomFirst` in its adapter)"
+    );
+    // As the squares of a larger file are the pixels of a smaller one.
+    let grid = Held { fixture: held.fixture.clone(), ..held_of(TILTED) };
+    let large = |x: u32, y: u32| {
+        let share = if (x + y).is_multiple_of(2) { 0.5 } else { 1.5 };
+        grid.rendered.linear.get(x / 2, y / 2).unwrap() * share
+    };
+    let size = Size { width: 2 * width, height: 2 * height };
+    let file = LinearImage::from_fn(size, |x, y| large(2 * width - 1 - x, y));
+    let file = Stored::read(&to_exr(&file).unwrap()).unwrap();
+    let levels = Levels::of(&file, plain()).unwrap().gathered(2);
+    let judged = judge(&grid.reference(), &levels, STRICT);
+    let hinted = hint(&grid.reference(), (&file, 2), plain(), (STRICT, &judged));
+    assert!(hinted.unwrap().ends_with("mirrored left to right"));
+}
+
+#[test]
+fn codes_that_were_cut_off_are_told() {
+    let held = held_of(TILTED);
+    // Codes are rounded to the nearest in the file: these are at one already.
+    let hinted = |cut: fn(f64) -> f64| held.hinted(&held.codes(255, cut)).unwrap();
+    let down = hinted(|c| (255.0 * c).floor() / 255.0);
+    assert!(down.contains("(`rounding: Down` in its adapter)"), "{down}");
+    let down = hinted(|c| (256.0 * c).floor().min(255.0) / 255.0);
+    assert!(down.contains("(`rounding: DownOfMore` in its adapter)"), "{down}");
+}
+
+#[test]
+fn samples_in_corners_are_told() {
+    /// With samples so far from the middles of pixels, to the right and up, in pixels.
+    #[track_caller]
+    fn check(right: f64, up: f64, expected: Option<&str>) {
+        let held = held_of(TILTED);
+        let scene = &held.fixture.scene;
+        let picture = held.floats(|x, y, _| {
+            let [a, b] = [f64::from(x) + 0.5 + right, 15.5 - f64::from(y) + up];
+            let ray = scene.camera().ray(a / 4.0 - 3.0, b / 4.0 - 2.0);
+            scene.trace(&ray, tracer::Interval::AHEAD)
+        });
+        assert_ne!(held.judged(&picture, plain()).numbers.interior_off, 0);
+        let said = held.hinted(&picture);
+        let said = said.map(|said| said.split(" in the ").last().unwrap().to_owned());
+        let expected = expected.map(|corner| format!("{corner} corners, half a pixel off"));
+        assert_eq!(said, expected, "({right}, {up})");
+    }
+    check(-0.5, 0.5, Some("top left"));
+    check(-0.5, -0.5, Some("bottom left"));
+    check(0.5, 0.5, Some("top right"));
+    check(0.5, -0.5, Some("bottom right"));
+    check(-0.25, 0.5, None);
+    check(0.5, 0.0, None);
+}
+
+#[test]
+fn where_only_edges_are_off_nothing_is_guessed() {
+    let held = held("");
+    let [at, _] = held.edge_and_interior();
+    let wrong = Rgb::new(0.0, 0.0, 9.0);
+    let picture = held.floats(|x, y, c| if (x, y) == at { wrong } else { c });
+    assert_ne!(held.judged(&picture, plain()).findings, [""; 0]);
+    assert_eq!(held.hinted(&picture), None);
 }
 
 #[test]

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use harness::store;
+use harness::store::{self, Scratch, StoreError};
 use harness::suite::Suite;
 
+use super::one::MAX_WRITTEN;
 use crate::RendererInfo;
 use crate::adapter::{Adapter, Filling, find_program, locate};
 use crate::process::{Bounds, Ended, Stop, run};
@@ -21,11 +22,19 @@ pub struct Renderer {
     pub adapter: Adapter,
     /// What is the same for every scene.
     pub filling: Filling,
+    /// The programs that it needs in a folder of its own, which [`Renderer::prepare`]
+    /// makes.
+    programs: &'static [(&'static str, &'static [u8])],
+    /// Its adapter's file, if it has one.
+    path: Option<PathBuf>,
 }
 
 /// Why a renderer cannot be asked, as text for people.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CannotAsk(pub String);
+
+/// The variable that says where temporary files go.
+const TEMPORARY: &str = "TMPDIR";
 
 /// How long it may take to say its version.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -34,6 +43,9 @@ impl Renderer {
     /// The renderer of an adapter by its name or path; see [`locate`]. Its program
     /// is looked for in `path`, folders as in the variable `PATH`, and asked for its
     /// version. `out` is the folder in which its own is, `program` this very program.
+    ///
+    /// Nothing is written or removed there: what an earlier run has left stays as long as
+    /// not all that are asked for are found.
     ///
     /// # Errors
     /// There is no such adapter, it has problems, or its program is not there.
@@ -45,14 +57,8 @@ impl Renderer {
     ) -> Result<Self, CannotAsk> {
         let located = locate(suite, wanted).map_err(CannotAsk)?;
         let adapter = Adapter::read(&located.label, &located.text).map_err(CannotAsk)?;
-        let failed = |error: store::StoreError| CannotAsk(error.to_string());
-        let folder = out.join(&located.id);
-        store::empty_artifacts(&folder).map_err(failed)?;
-        let folder = absolute(&folder)?;
+        let folder = absolute(&out.join(&located.id))?;
         let own = located.folder.unwrap_or_else(|| folder.join("adapter"));
-        for (name, bytes) in located.programs {
-            store::write(&own.join(name), bytes).map_err(failed)?;
-        }
         let filling = Filling {
             folder: own.display().to_string(),
             root: absolute(suite.root())?.display().to_string(),
@@ -61,10 +67,41 @@ impl Renderer {
         };
         let info =
             RendererInfo { name: adapter.name.clone(), id: located.id, version: String::new() };
-        let mut renderer = Self { info, adapter, filling };
+        let (programs, path_of_file) = (located.programs, located.path);
+        let mut renderer = Self { info, adapter, filling, programs, path: path_of_file };
         renderer.check_program(&located.label, path)?;
-        renderer.info.version = renderer.version(&folder, stop)?;
+        renderer.info.version = renderer.version(stop)?;
         Ok(renderer)
+    }
+
+    /// Whether [`Renderer::prepare`] may empty this folder. Nothing is changed.
+    ///
+    /// # Errors
+    /// A folder that is not goldray's to empty.
+    pub fn check_folder(folder: &Path) -> Result<(), StoreError> {
+        store::check_artifacts(folder)
+    }
+
+    /// Makes an empty folder for its results, with the programs that it needs beside them.
+    ///
+    /// # Errors
+    /// A folder that is not goldray's to empty, and what cannot be written.
+    pub fn prepare(&self, folder: &Path) -> Result<(), StoreError> {
+        store::empty_artifacts(folder)?;
+        self.write_programs(Path::new(&self.filling.folder))
+    }
+
+    /// The files that it is asked by, which nobody may write over: its adapter, and what
+    /// the words of its commands name by a whole path.
+    pub fn own_files(&self) -> Vec<PathBuf> {
+        let words = self.adapter.command.iter().chain(&self.adapter.version);
+        let named = words.map(|word| PathBuf::from(word.filled(&self.filling)));
+        let named = named.filter(|path| path.is_absolute() && store::is_file(path));
+        self.path.iter().cloned().chain(named).collect()
+    }
+
+    fn write_programs(&self, own: &Path) -> Result<(), StoreError> {
+        self.programs.iter().try_for_each(|(name, bytes)| store::write(&own.join(name), bytes))
     }
 
     /// The command for a scene, in a folder.
@@ -72,6 +109,10 @@ impl Renderer {
         let (program, args) = words.split_first().map_or(("", &[][..]), |(p, args)| (p, args));
         let mut command = Command::new(program);
         command.args(args).current_dir(folder).envs(&self.adapter.env);
+        if !self.adapter.env.contains_key(TEMPORARY) {
+            // What it leaves there goes away with the folder.
+            command.env(TEMPORARY, folder);
+        }
         command
     }
 
@@ -97,15 +138,23 @@ impl Renderer {
         Ok(())
     }
 
-    /// What it says when asked for its version.
-    fn version(&self, folder: &Path, stop: Stop<'_>) -> Result<String, CannotAsk> {
+    /// What it says when asked for its version, in a folder that goes away.
+    fn version(&self, stop: Stop<'_>) -> Result<String, CannotAsk> {
         if self.adapter.version.is_empty() {
             return Ok(String::new());
         }
-        let words: Vec<_> =
-            self.adapter.version.iter().map(|word| word.filled(&self.filling)).collect();
-        let bounds = Bounds { time: PATIENCE, growth: None, stop };
-        let ran = run(&mut self.command(&words, folder), &bounds)
+        let failed = |error: StoreError| CannotAsk(error.to_string());
+        let scratch = Scratch::new().map_err(failed)?;
+        let mut filling = self.filling.clone();
+        if !self.programs.is_empty() {
+            let own = scratch.path("adapter");
+            self.write_programs(&own).map_err(failed)?;
+            filling.folder = own.display().to_string();
+        }
+        let words: Vec<_> = self.adapter.version.iter().map(|word| word.filled(&filling)).collect();
+        let growth = Some((scratch.folder(), MAX_WRITTEN));
+        let bounds = Bounds { time: PATIENCE, growth, stop };
+        let ran = run(&mut self.command(&words, scratch.folder()), &bounds)
             .map_err(|error| self.cannot(&format!("\"{}\": {error}", words.join(" "))))?;
         let (stdout, stderr) = (ran.stdout.text(), ran.stderr.text());
         let first = |text: &str| {
@@ -126,10 +175,14 @@ impl Renderer {
                     .cannot(&format!("\"{words}\" failed: {status}{}", said.unwrap_or_default())))
             }
             Ended::Stopped => Err(CannotAsk("interrupted".to_owned())),
-            Ended::OutOfTime | Ended::TooMuch => Err(self.cannot(&format!(
-                "\"{}\" took more than {} s",
+            Ended::OutOfTime => Err(self.cannot(&format!(
+                "\"{}\" took more than {} s: expected a version",
                 words.join(" "),
                 PATIENCE.as_secs()
+            ))),
+            Ended::TooMuch => Err(self.cannot(&format!(
+                "\"{}\" wrote more than {MAX_WRITTEN} bytes: expected a version",
+                words.join(" ")
             ))),
         }
     }

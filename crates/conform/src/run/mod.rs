@@ -10,6 +10,7 @@ mod one;
 mod subject;
 
 pub use ask::{CannotAsk, Renderer};
+pub use one::ruled_out;
 pub use subject::{NotItself, Subject, subjects};
 
 use std::collections::BTreeMap;

@@ -1,7 +1,9 @@
 //! One scene given to a renderer, and what came of it.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
+use harness::fixture::Fixture;
 use harness::picture_file::Stored;
 use harness::store::{self, Scratch, StoreError};
 use interchange::Feature;
@@ -10,18 +12,16 @@ use tracer::{Size, edges};
 
 use super::artifacts::{Kept, keep, write_strip};
 use super::{Plan, Renderer, Subject};
+use crate::adapter::Adapter;
 use crate::judge::{Allowance, Judged, Levels, Reference, hint, judge};
 use crate::process::{Bounds, Ended, Ran, run};
 use crate::{Evidence, FixtureResult, Outcome as Said};
 
 /// The most that a renderer may write into its folder, in bytes.
-const MAX_WRITTEN: u64 = 2 << 30;
+pub(super) const MAX_WRITTEN: u64 = 2 << 30;
 
 /// The largest picture file that is read, in bytes.
 const MAX_PICTURE: u64 = 1 << 30;
-
-/// The variable that says where temporary files go.
-const TEMPORARY: &str = "TMPDIR";
 
 /// The most of a picture that is kept for somebody to look at, in bytes.
 const MAX_KEPT: usize = 64 << 20;
@@ -63,7 +63,7 @@ pub(super) fn render_and_judge(
         numbers: verdict.judged.as_ref().map(|(judged, _)| judged.numbers),
         elapsed_ms: elapsed.as_secs_f64() * 1e3,
     };
-    let exported = match exported(renderer, subject) {
+    let exported = match exported(&renderer.adapter, &subject.fixture, &subject.features) {
         Ok(exported) => exported,
         Err(findings) => {
             let verdict = Verdict { outcome: Said::Unsupported, findings, judged: None };
@@ -77,10 +77,6 @@ pub(super) fn render_and_judge(
     }
     let words = words(renderer, subject, &exported);
     let mut command = renderer.command(&words, scratch.folder());
-    if !renderer.adapter.env.contains_key(TEMPORARY) {
-        // What it leaves there goes away with the folder.
-        command.env(TEMPORARY, scratch.folder());
-    }
     let time = plan.timeout.unwrap_or(renderer.adapter.timeout);
     let growth = Some((scratch.folder(), MAX_WRITTEN));
     let ran = run(&mut command, &Bounds { time, growth, stop: plan.stop });
@@ -117,19 +113,32 @@ pub(super) fn render_and_judge(
     Ok(Some(Outcome { result, evidence, by_hand }))
 }
 
+/// Why a renderer by this adapter would not be asked for a fixture's picture, as it asks
+/// for these features; empty if it would be.
+pub fn ruled_out(
+    adapter: &Adapter,
+    fixture: &Fixture,
+    features: &BTreeSet<Feature>,
+) -> Vec<String> {
+    exported(adapter, fixture, features).err().unwrap_or_default()
+}
+
 /// The scene in the renderer's language.
 ///
 /// # Errors
 /// Why it is not asked.
-fn exported(renderer: &Renderer, subject: &Subject) -> Result<Exported, Vec<String>> {
+fn exported(
+    adapter: &Adapter,
+    fixture: &Fixture,
+    features: &BTreeSet<Feature>,
+) -> Result<Exported, Vec<String>> {
     const SAMPLES: [Feature; 4] = [
         Feature::GridSamples,
         Feature::ScatteredSamples,
         Feature::PixelFilter,
         Feature::AdaptiveSamples,
     ];
-    let adapter = &renderer.adapter;
-    let declared = subject.features.iter().filter_map(|feature| {
+    let declared = features.iter().filter_map(|feature| {
         let reason = adapter.unsupported.get(feature)?;
         let reason = if reason.is_empty() { String::new() } else { format!(": {reason}") };
         Some(format!("its adapter says that it has no {feature}{reason}"))
@@ -137,7 +146,7 @@ fn exported(renderer: &Renderer, subject: &Subject) -> Result<Exported, Vec<Stri
     let mut findings: Vec<String> = declared.collect();
     let is_own = matches!(adapter.scene, Dialect::Ron | Dialect::Json);
     if is_own && !adapter.same_samples {
-        let samples = subject.features.iter().filter(|feature| SAMPLES.contains(feature));
+        let samples = features.iter().filter(|feature| SAMPLES.contains(feature));
         findings.extend(samples.map(|feature| {
             format!("{feature}: its adapter does not say that it takes the same samples")
         }));
@@ -146,7 +155,7 @@ fn exported(renderer: &Renderer, subject: &Subject) -> Result<Exported, Vec<Stri
         return Err(findings);
     }
     let dialect = adapter.scene;
-    match export(dialect, &subject.fixture.scene_file(), subject.fixture.assets()) {
+    match export(dialect, &fixture.scene_file(), fixture.assets()) {
         Ok(exported) => Ok(exported),
         Err(NotWritten::Cannot(features)) => {
             let names: Vec<_> = features.iter().map(|feature| feature.name()).collect();
@@ -228,7 +237,7 @@ fn verdict(
     let judged = judge(&reference, &levels, allowance);
     let mut findings = judged.findings.clone();
     if !findings.is_empty() {
-        findings.extend(hint(&reference, (&stored, grid), meaning, allowance));
+        findings.extend(hint(&reference, (&stored, grid), meaning, (allowance, &judged)));
     }
     let [low, high] = levels.bounds();
     let evidence = Evidence {

@@ -1,6 +1,7 @@
 //! `Subject`: a fixture that others may be judged by, as goldray is right about it.
 
 use std::collections::BTreeSet;
+use std::time::Duration;
 
 use harness::expectation::Rendered;
 use harness::fixture::Fixture;
@@ -12,6 +13,7 @@ use interchange::Feature;
 use rayon::prelude::*;
 
 use crate::asks;
+use crate::process::Stop;
 
 /// A fixture with goldray's picture of it, which is its golden.
 #[derive(Debug)]
@@ -36,7 +38,8 @@ pub struct NotItself {
 }
 
 /// Renders fixtures by goldray, and holds its pictures against their goldens and
-/// what they expect; `on_subject` hears of each, from any thread.
+/// what they expect; `on_subject` hears of each, from any thread. `None` where it was
+/// time to end before all were rendered: it is asked before each.
 ///
 /// # Errors
 /// Those that are no match.
@@ -44,15 +47,20 @@ pub fn subjects(
     suite: &Suite,
     names: &[String],
     on_subject: &(dyn Fn(&str) + Sync),
-) -> Result<Vec<Subject>, Vec<NotItself>> {
-    let all: Vec<_> = names
+    stop: Stop<'_>,
+) -> Result<Option<Vec<Subject>>, Vec<NotItself>> {
+    let all: Option<Vec<_>> = names
         .par_iter()
         .map(|name| {
+            if stop(Duration::ZERO) {
+                return None;
+            }
             let made = subject(suite, name);
             on_subject(name);
-            made
+            Some(made)
         })
         .collect();
+    let Some(all) = all else { return Ok(None) };
     let mut good = Vec::new();
     let mut bad = Vec::new();
     for made in all {
@@ -61,7 +69,7 @@ pub fn subjects(
             Err(why) => bad.push(why),
         }
     }
-    if bad.is_empty() { Ok(good) } else { Err(bad) }
+    if bad.is_empty() { Ok(Some(good)) } else { Err(bad) }
 }
 
 fn subject(suite: &Suite, name: &str) -> Result<Subject, NotItself> {

@@ -98,29 +98,42 @@ pub fn code(text: &str) -> String {
     format!("<code>{}</code>", plain(text))
 }
 
-/// What may mean something inside a line, on GitHub or elsewhere.
-const SIGNS: &str = "\\`*_[]<>|~#@&$:";
+/// What may mean something inside a line, on GitHub or elsewhere; so may some colons.
+const SIGNS: &str = "\\`*_[]<>|~#@&$";
 
 /// Text in which every sign is itself, in one line as cells are.
 ///
 /// Source: CommonMark, 2.5: no reference to a character is taken for structure.
 fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.trim_end().chars() {
+    let text = text.trim_end();
+    for (at, c) in text.char_indices() {
         match c {
+            ':' if !has_meaning(&text[at + 1..]) => out.push(c),
             '\n' => out.push_str("<br>"),
             // GitHub makes links of `www.` and `GH-1`, unless there is something between.
             '.' | '-' if ["www", "gh"].iter().any(|word| ends_in(&out, word)) => {
                 let _ = write!(out, "&#8203;{c}");
             }
             c if c.is_control() => out.push('\u{fffd}'),
-            c if SIGNS.contains(c) => {
+            c if c == ':' || SIGNS.contains(c) => {
                 let _ = write!(out, "&#{};", u32::from(c));
             }
             c => out.push(c),
         }
     }
     out
+}
+
+/// Whether a colon before this is more than a colon: that of an address, or the first of
+/// a little picture's name, such as `:ball:`. Places as in `a.ron:3:9` are none.
+fn has_meaning(rest: &str) -> bool {
+    /// The little pictures whose names have no letter.
+    const WITHOUT: [&str; 4] = ["100", "1234", "+1", "-1"];
+    let is_of_a_name = |c: char| c.is_ascii_alphanumeric() || "_+-".contains(c);
+    let word = rest.split_once(':').map_or("", |(word, _)| word);
+    let is_name = word.contains(|c: char| c.is_ascii_alphabetic()) || WITHOUT.contains(&word);
+    rest.starts_with("//") || is_name && word.chars().all(is_of_a_name)
 }
 
 /// Whether the text ends in these letters, in upper or lower case.
@@ -149,7 +162,11 @@ mod tests {
         check("@octocat", "&#64;&#8203;octocat");
         check("see Www.a.b, gh-12", "see Www&#8203;.a.b, gh&#8203;-12");
         check("&lt;*_#$~[x](y)\\", "&#38;lt;&#42;&#95;&#35;&#36;&#126;&#91;x&#93;(y)&#92;");
-        check("a:100:b", "a&#58;&#8203;100&#58;&#8203;b");
+        check("a:100:b", "a&#58;&#8203;100:b");
+        check(":ball::+1:", "&#58;&#8203;ball:&#58;&#8203;+1:");
+        check("see https://a.b", "see https&#58;&#8203;//a.b");
+        check("a: b, at: 10:20:30, a.ron:3:9", "a: b, at: 10:20:30, a.ron:3:9");
+        check("a: no name: b", "a: no name: b");
         check("one\ntwo\n", "one<br>two");
         check("a\r\u{1b}[1m", "a\u{fffd}\u{fffd}&#91;1m");
         assert_eq!(code("bless 'a|`@b`'"), "<code>bless 'a&#124;&#96;&#64;b&#96;'</code>");
@@ -175,7 +192,7 @@ mod tests {
         let page = markdown(&all, 1234.0, &Reader::default(), LARGE).unwrap();
         let expected = "### goldray: 1 of 2 do not match\n\n2 judged: 1 match, 1 differs (1.23 s)\n\n\
                         | fixture | verdict | why | what to do |\n|---|---|---|---|\n\
-                        | <code>fixtures/a/f000.ron&#58;14&#58;9</code> | differs | expected \
+                        | <code>fixtures/a/f000.ron:14:9</code> | differs | expected \
                         identical pictures | if meant: <code>cargo xtask bless a/f000</code> |\n";
         assert_eq!(page, expected);
         let green = markdown(&all[1..], 0.0, &Reader::default(), LARGE).unwrap();

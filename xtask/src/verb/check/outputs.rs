@@ -38,7 +38,7 @@ impl Outputs {
         let files = [&self.json, &self.junit, &self.summary];
         let files: Vec<_> = files.into_iter().flatten().collect();
         for (i, file) in files.iter().enumerate() {
-            here.may_write(file)?;
+            here.may_report(file)?;
             if files[..i].iter().any(|other| store::is_inside(file, other)) {
                 let what = "expected a file for each output, found it named for two";
                 return Err(CannotAsk::file(file, what));

@@ -51,7 +51,7 @@ function fixtureConsensus(fixture) {
   const told = fixture.consensus;
   if (!told) return null;
   const heard = `Heard: ${told.voters.map(nameOf).join(", ")}.`;
-  const not = told.unheard.length > 0 ? ` Without a picture: ${told.unheard.map(nameOf).join(", ")}.` : "";
+  const not = told.unheard.length > 0 ? ` Without a picture that says anything: ${told.unheard.map(nameOf).join(", ")}.` : "";
   const { consensus: picture, size } = picturesOf(fixture);
   const apart = told.opinions.filter(({ opinion }) => opinion !== "agree");
   return element(

@@ -11,5 +11,10 @@ function overviewPage() {
   const title = one
     ? `${one.name} passes ${count(one.tally.outcomes.pass)} of ${plural(one.tally.total, "fixture", "fixtures")}`
     : `${count(renderers.length)} renderers, ${plural(fixtures.length, "fixture", "fixtures")}`;
-  return [element("div", { class: "headline" }, element("h1", {}, title)), summarySection(), matrixSection(), consensusSection(), tableSection()];
+  return [element("div", { class: "headline" }, element("h1", {}, title), selectionLine()), summarySection(), matrixSection(), consensusSection(), tableSection()];
+}
+
+// That only a part of the suite was asked for, and which; nothing where it was all.
+function selectionLine() {
+  return card.selection ? element("p", { class: "selection" }, `${card.selection.words}.`) : null;
 }
