@@ -84,18 +84,21 @@ fn a_storm_of_writes_is_one_edit() {
     watch.until("2 judged: 2 match");
     // So long that it is looked at several times.
     let started = Instant::now();
-    let mut count = 0;
+    let (mut count, mut pauses, mut last) = (0, 0, started);
     while started.elapsed() < Duration::from_millis(1800) {
         count += 1;
         tree.write("fixtures/a.ron", format!("// {count}\n{SQUARE}").as_bytes());
+        // A machine with much to do pauses the storm itself, which may be taken for its end.
+        pauses += usize::from(last.elapsed() > Duration::from_millis(50));
+        last = Instant::now();
         std::thread::sleep(Duration::from_millis(2));
     }
     watch.until("fixtures/a.ron changed");
     watch.until(" judged: ");
     let more = watch.lines_of(Duration::from_secs(2));
     let again = more.iter().filter(|line| line.contains("judged")).count();
-    // A machine with much to do may pause the storm itself.
-    assert!(again <= 1, "{count} writes were {} edits", again + 1);
+    // One may be seen beginning.
+    assert!(again <= 1 + pauses, "{count} writes, {pauses} pauses, were {} edits", again + 1);
 }
 
 #[test]
