@@ -85,6 +85,14 @@ pub fn judge(reference: &Reference<'_>, levels: &Levels, allowance: Allowance) -
             share.floor()
         ));
     }
+    if 2 * numbers.edge_off > numbers.pixels {
+        // Between both sides is then nearly everything.
+        findings.push(format!(
+            "{} of {} pixels are at edges and differ: expected at least half of the picture to \
+             agree",
+            numbers.edge_off, numbers.pixels
+        ));
+    }
     findings.extend(strange(reference, levels, &off, scale, allowance.tolerance));
     findings.extend(expect::broken(reference, levels, scale, allowance.tolerance));
     Judged { numbers, off, findings }
@@ -160,7 +168,13 @@ fn triple(color: [f64; 3]) -> String {
     format!("({r}, {g}, {b})")
 }
 
-/// Edge pixels that show neither side, nor anything between.
+/// The same of each channel.
+fn by_channel(f: fn(f64, f64) -> f64) -> impl Fn(Rgb, Rgb) -> Rgb {
+    move |a, b| Rgb::new(f(a.r, b.r), f(a.g, b.g), f(a.b, b.b))
+}
+
+/// Edge pixels that show neither side, nor anything between. Of several samples only
+/// those at an edge may show either.
 fn strange(
     reference: &Reference<'_>,
     levels: &Levels,
@@ -174,15 +188,25 @@ fn strange(
     const BEYOND: f64 = 0.1;
     let linear = &reference.rendered.linear;
     let Size { width, height } = linear.size();
+    let is_added = reference.fixture.scene.error().is_some();
     let is_strange = |&at: &usize| {
         let Some(around) = reference.around[at].filter(|_| off[at]) else { return false };
+        let expected = linear.pixels()[at];
         let (x, y) = (at as u32 % width, at as u32 / width);
         let rows = y.saturating_sub(1)..=(y + 1).min(height - 1);
         let columns = x.saturating_sub(1)..=(x + 1).min(width - 1);
         let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
         let near = near.filter_map(|(x, y)| linear.get(x, y));
-        let Around { low, high } = near.fold(around, Around::with);
-        let slack = (BEYOND + tolerance) * scale.at(high).max(scale.at(low));
+        let near: Vec<Rgb> = near.collect();
+        let (least, most) = (by_channel(f64::min), by_channel(f64::max));
+        let of_all =
+            |f: &dyn Fn(Rgb, Rgb) -> Rgb| near.iter().copied().reduce(f).unwrap_or_default();
+        // Of samples that are added where they are needed the place is not known.
+        let here = if is_added { expected * around.weight } else { around.here };
+        let others = expected + here * -1.0;
+        let low = others + least(around.low, of_all(&least) * around.weight);
+        let high = others + most(around.high, of_all(&most) * around.weight);
+        let slack = (BEYOND * around.weight + tolerance) * scale.at(high).max(scale.at(low));
         let between = low.channels().into_iter().zip(high.channels());
         let mut pairs = between.zip(&levels.pixels()[at]);
         pairs.any(|((low, high), level)| !level.meets(Level { low, high }.widened(slack)))

@@ -101,6 +101,7 @@ fn plain() -> Meaning {
 #[track_caller]
 fn fails(judged: &Judged, expected: &str) {
     let found = judged.findings.join("\n");
+    assert!(!found.is_empty(), "expected a finding");
     assert!(found.contains(expected), "expected {expected:?} in:\n{found}");
 }
 
@@ -161,6 +162,37 @@ fn an_edge_may_show_either_side_and_nothing_else() {
     let levels = Levels::of(&all, plain()).unwrap();
     let judged = judge(&held.reference(), &levels, Allowance { edges: 0.5, ..STRICT });
     fails(&judged, "edge pixels differ: expected at most");
+}
+
+#[test]
+fn of_many_samples_only_those_at_an_edge_may_show_either_side() {
+    let many = "samples_per_pixel: 16, background";
+    let scene = |more: &str| SCENE.replace("CHECK", "").replace("background", more);
+    let foreign = |text: &str| held_of(text).floats(|_, _, c| c);
+    for more in [many, &format!("filter: Gaussian(radius: 1.5), {many}"), "error: 0.01, background"]
+    {
+        let around =
+            |held: Held| Held { around: tracer::edges(&held.fixture.scene, 1.0 / 64.0), ..held };
+        let held = around(held_of(&scene(more)));
+        assert!(held.around.iter().flatten().all(|around| around.weight < 0.7), "{more}");
+        assert_eq!(held.judged(&held.floats(|_, _, c| c), plain()).findings, [""; 0]);
+        // One sample, no filter; a ball that is a tenth of a pixel larger.
+        fails(&held.judged(&foreign(&scene("background")), plain()), "show neither");
+        let larger = scene(more).replace("1.3", "1.325");
+        fails(&held.judged(&foreign(&larger), plain()), "");
+    }
+}
+
+#[test]
+fn between_both_sides_is_not_enough_everywhere() {
+    let fine = "(version: 1, image: (24, 16), camera: Parallel(view_point: (0, 0, 5), view_width: 24, \
+                view_height: 16), objects: [Plane(point: (0.5, 0.5, 0), normal: (0, 0, 1), material: \
+                Constant(color: (1, 1, 1), texture: Checker(a: (1, 1, 1), b: (0, 0, 0))))])";
+    let held = held_of(fine);
+    assert!(held.around.iter().all(Option::is_some));
+    assert_eq!(held.judged(&held.floats(|_, _, c| c), plain()).findings, [""; 0]);
+    let gray = held.floats(|_, _, _| Rgb::new(0.45, 0.45, 0.45));
+    fails(&held.judged(&gray, plain()), "expected at least half of the picture to agree");
 }
 
 #[test]

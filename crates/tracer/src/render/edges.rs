@@ -6,54 +6,120 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::pattern::spot;
+use super::pattern::{Spot, spot};
 use crate::meter::{Unmetered, Work};
 use crate::plan::Candidates;
 use crate::{Interval, ObjectId, Rgb, Scene, Size, Skipping};
 
-/// What a pixel's sample sees in its place and moved around it, exposed: the
-/// least and the most of each channel.
+/// What the samples at an edge see in their place and moved around it, exposed, each
+/// as it counts in its pixel. What the pixel's other samples see is not among it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Around {
-    /// The least.
+    /// What they see in their place.
+    pub here: Rgb,
+    /// The least of each channel.
     pub low: Rgb,
     /// The most.
     pub high: Rgb,
+    /// How much they count, of the 1 that all samples of a pixel are: 1 for a pixel of
+    /// one sample.
+    pub weight: f64,
 }
 
 impl Around {
-    fn of(color: Rgb) -> Self {
-        Self { low: color, high: color }
+    /// Of nothing.
+    const NONE: Self = Self { here: Rgb::BLACK, low: Rgb::BLACK, high: Rgb::BLACK, weight: 0.0 };
+
+    /// Of colors that one sample sees, the first of them in its place.
+    fn of(colors: &[Rgb]) -> Self {
+        let here = colors.first().copied().unwrap_or_default();
+        let all = |f: fn(f64, f64) -> f64| {
+            let of = |a: Rgb, b: &Rgb| Rgb::new(f(a.r, b.r), f(a.g, b.g), f(a.b, b.b));
+            colors.iter().fold(here, of)
+        };
+        Self { here, low: all(f64::min), high: all(f64::max), weight: 1.0 }
     }
 
-    /// The same with another one.
-    #[must_use]
-    pub fn with(self, color: Rgb) -> Self {
-        let of = |f: fn(f64, f64) -> f64, a: Rgb, b: Rgb| {
-            Rgb::new(f(a.r, b.r), f(a.g, b.g), f(a.b, b.b))
-        };
-        Self { low: of(f64::min, self.low, color), high: of(f64::max, self.high, color) }
+    /// The same that counts so much; what counts against a pixel is the least of it
+    /// where it is the most.
+    fn counting(self, weight: f64) -> Self {
+        let (low, high) = if weight < 0.0 { (self.high, self.low) } else { (self.low, self.high) };
+        Self {
+            here: self.here * weight,
+            low: low * weight,
+            high: high * weight,
+            weight: self.weight * weight.abs(),
+        }
+    }
+
+    /// Both together.
+    fn and(self, other: Self) -> Self {
+        Self {
+            here: self.here + other.here,
+            low: self.low + other.low,
+            high: self.high + other.high,
+            weight: self.weight + other.weight,
+        }
     }
 }
+
+/// Samples that are added where they are needed are anywhere in the pixel, and so
+/// few of them see another side of an edge by rounding that they count no more than
+/// this.
+const ADDED: f64 = 0.125;
 
 /// What is seen around each pixel that is an edge, row by row from the top;
 /// `None` for the others.
 ///
 /// A pixel is an edge if one of its samples, moved by `reach` pixels in one of
 /// eight directions, sees another object, a normal that jumps, another part of a
-/// texture, another light in shadow, or any of these in a mirror or through glass. Of a filter, the samples of all pixels in its reach count. Samples
-/// that are added where they are needed are anywhere in the pixel: it is
-/// looked at from its middle, a whole pixel around.
+/// texture, another light in shadow, or any of these in a mirror or through glass. Of
+/// a filter, the samples of all pixels in its reach count. Samples that are added
+/// where they are needed are anywhere in the pixel: it is looked at from its middle, a
+/// whole pixel around, and of [`Around`] the place is then not that of a sample.
 pub fn edges(scene: &Scene, reach: f64) -> Vec<Option<Around>> {
     let Size { width, height } = scene.size();
     let reach = if scene.error().is_some() { 1.0 } else { reach };
-    let row = |y: u32| (0..width).map(|i| pixel(scene, (i, height - 1 - y), reach)).collect();
+    // Row 0 at the bottom, as samples are.
+    let row = |j: u32| (0..width).map(|i| samples_at_edges(scene, (i, j), reach)).collect();
     let rows: Vec<Vec<_>> = (0..height).into_par_iter().map(row).collect();
-    let alone = rows.concat();
-    match scene.filter().reach() {
-        0 => alone,
-        reach => spread(scene.size(), &alone, reach),
+    let line = |y: u32| (0..width).map(|i| pixel(scene, &rows, (i, height - 1 - y))).collect();
+    let lines: Vec<Vec<_>> = (0..height).into_par_iter().map(line).collect();
+    lines.concat()
+}
+
+/// A sample at an edge: how far right and up of its pixel's middle it is, and what is
+/// seen around it.
+type AtEdge = ([f64; 2], Around);
+
+/// What a pixel shows of samples at edges, its own and those that a filter brings.
+fn pixel(scene: &Scene, rows: &[Vec<Vec<AtEdge>>], (i, j): (u32, u32)) -> Option<Around> {
+    let (Size { width, height }, filter) = (scene.size(), scene.filter());
+    let reach = filter.reach();
+    let rows_near = j.saturating_sub(reach)..=(j + reach).min(height - 1);
+    let columns = i.saturating_sub(reach)..=(i + reach).min(width - 1);
+    let near = || rows_near.clone().flat_map(|y| columns.clone().map(move |x| (x, y)));
+    let at = |(x, y): (u32, u32)| &rows[y as usize][x as usize];
+    if near().all(|place| at(place).is_empty()) {
+        return None;
     }
+    let count = scene.samples().samples_per_pixel();
+    let density = |(x, y): (u32, u32), [right, up]: [f64; 2]| match reach {
+        0 => 1.0,
+        _ => {
+            let away = |from: u32, to: u32| f64::from(from) - f64::from(to);
+            filter.density(away(x, i) + right) * filter.density(away(y, j) + up)
+        }
+    };
+    let (mut all, mut found) = (0.0, Around::NONE);
+    for place in near() {
+        all += (0..count).map(|k| density(place, spot(scene, place, k).offset)).sum::<f64>();
+        for &(offset, around) in at(place) {
+            found = found.and(around.counting(density(place, offset)));
+        }
+    }
+    let share = if scene.error().is_some() { ADDED } else { 1.0 } / all;
+    (found.weight > 0.0).then(|| found.counting(share))
 }
 
 /// What one look sees.
@@ -79,26 +145,23 @@ const WAYS: [[f64; 2]; 8] = [
     [-1.0, 1.0],
 ];
 
-/// What is seen around a pixel, row 0 at the bottom, if it is an edge.
-fn pixel(scene: &Scene, at: (u32, u32), reach: f64) -> Option<Around> {
+/// Those of a pixel's samples that are at an edge, row 0 at the bottom.
+fn samples_at_edges(scene: &Scene, at: (u32, u32), reach: f64) -> Vec<AtEdge> {
     let camera = scene.camera();
     let step = [
         camera.view_width() / f64::from(scene.size().width) * reach,
         camera.view_height() / f64::from(scene.size().height) * reach,
     ];
-    let mut is_edge = false;
-    let mut around: Option<Around> = None;
-    for k in 0..scene.samples().samples_per_pixel() {
-        let [a, b] = spot(scene, at, k).window;
+    let sample = |k: u32| {
+        let Spot { window: [a, b], offset } = spot(scene, at, k);
         let here = look(scene, [a, b]);
         let there = WAYS.map(|[x, y]| look(scene, [a + x * step[0], b + y * step[1]]));
-        is_edge |= there.as_chunks::<2>().0.iter().any(|pair| is_between_two(&here, pair, reach));
-        for color in there.iter().map(|seen| seen.color).chain([here.color]) {
-            let color = color * scene.exposure();
-            around = Some(around.map_or(Around::of(color), |around| around.with(color)));
-        }
-    }
-    around.filter(|_| is_edge)
+        let is_edge =
+            there.as_chunks::<2>().0.iter().any(|pair| is_between_two(&here, pair, reach));
+        let colors = [&here].into_iter().chain(&there).map(|seen| seen.color * scene.exposure());
+        is_edge.then(|| (offset, Around::of(&colors.collect::<Vec<_>>())))
+    };
+    (0..scene.samples().samples_per_pixel()).filter_map(sample).collect()
 }
 
 fn look(scene: &Scene, [a, b]: [f64; 2]) -> Seen {
@@ -135,19 +198,6 @@ fn is_between_two(here: &Seen, sides: &[Seen; 2], reach: f64) -> bool {
     let normal = |seen: &Seen| seen.surface.map_or(DVec3::ZERO, |(_, normal)| normal);
     let bend = normal(&sides[0]) + normal(&sides[1]) - 2.0 * normal(here);
     bend.length() > jump
-}
-
-/// Edges of a picture whose pixels get light from others so far away.
-fn spread(size: Size, alone: &[Option<Around>], reach: u32) -> Vec<Option<Around>> {
-    let (width, height) = (size.width, size.height);
-    let at = |x: u32, y: u32| alone[y as usize * width as usize + x as usize];
-    let pixel = |(x, y): (u32, u32)| {
-        let rows = y.saturating_sub(reach)..=(y + reach).min(height - 1);
-        let columns = x.saturating_sub(reach)..=(x + reach).min(width - 1);
-        let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
-        near.filter_map(|(x, y)| at(x, y)).reduce(|a, b| a.with(b.low).with(b.high))
-    };
-    (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(pixel).collect()
 }
 
 #[cfg(test)]

@@ -78,8 +78,37 @@ fn what_an_edge_shows_is_between_both_sides() {
     let lit = vec![Light::ambient(Rgb::new(0.25, 0.5, 1.0)).unwrap()];
     let scene = Scene::new(parts(vec![square(0.126)], lit)).unwrap();
     let edges = edges(&scene, REACH);
-    let around = Around { low: Rgb::BLACK, high: Rgb::new(0.5, 1.0, 2.0) };
+    let lit = Rgb::new(0.5, 1.0, 2.0);
+    let around = Around { here: lit, low: Rgb::BLACK, high: lit, weight: 1.0 };
     assert_eq!(edges[8], Some(around), "exposed by 2");
+}
+
+#[test]
+fn what_an_edge_shows_is_of_its_samples_alone() {
+    let around = |x: f64, samples: u32, filter: Filter, column: usize| {
+        let samples = Samples::grid(samples).unwrap();
+        let lit = vec![Light::ambient(Rgb::new(0.25, 0.25, 0.5)).unwrap()];
+        let parts = SceneParts { samples, filter, ..parts(vec![square(x)], lit) };
+        edges(&Scene::new(parts).unwrap(), REACH)[16 * 3 + column]
+    };
+    #[track_caller]
+    fn check(found: Option<Around>, weight: f64, [low, high]: [f64; 2]) {
+        let found = found.unwrap();
+        assert!((found.weight - weight).abs() < 1e-12, "{found:?}");
+        assert!((found.low.b - low).abs() < 1e-12 && (found.high.b - high).abs() < 1e-12);
+        assert!((found.here.b - low).abs() < 1e-12 || (found.here.b - high).abs() < 1e-12);
+    }
+    // Of four columns of samples in pixel 8 the second is at 0.09375.
+    check(around(0.0938, 16, Filter::BOX, 8), 0.25, [0.0, 0.25]);
+    // A tent of two pixels: the one sample of pixel 8 counts a half there, and a quarter beside.
+    let tent = Filter::tent(2.0).unwrap();
+    check(around(0.126, 1, tent, 8), 0.5, [0.0, 0.5]);
+    check(around(0.126, 1, tent, 7), 0.25, [0.0, 0.25]);
+    assert_eq!(around(0.126, 1, tent, 6), None);
+    // Mitchell's counts against pixels that are farther away than one.
+    let mitchell = Filter::mitchell(2.0).unwrap();
+    let far = around(0.0626, 4, mitchell, 6).unwrap();
+    assert!(far.low.b < -far.high.b && far.weight > 0.0, "{far:?}");
 }
 
 #[test]
@@ -131,9 +160,11 @@ fn samples_filters_and_errors_widen_them() {
     assert_eq!(columns(four(0.0626)), [8]);
     assert_eq!(columns(four(0.1874)), [8]);
     assert_eq!(columns(four(0.126)), [0; 0]);
-    let filter = Filter::tent(1.0).unwrap();
     let one = || parts(vec![square(0.126)], lit());
-    assert_eq!(columns(SceneParts { filter, ..one() }), [7, 8, 9]);
+    let tent = |radius| SceneParts { filter: Filter::tent(radius).unwrap(), ..one() };
+    // A sample in the middle of a pixel counts for those around it if they are nearer than that.
+    assert_eq!(columns(tent(1.0)), [8]);
+    assert_eq!(columns(tent(1.1)), [7, 8, 9]);
     assert_eq!(columns(SceneParts { error: Some(0.1), ..one() }), [8, 9]);
 }
 
