@@ -97,6 +97,22 @@ fn goldray_in_another_process_agrees_with_itself() {
 }
 
 #[test]
+fn a_renderer_of_the_courses_xml_is_told_the_convention() {
+    let lit = BALL.replace("background: (0.1, 0.2, 0.4)", "shading: Attenuated");
+    let lit = lit.split("    check:").next().unwrap().to_owned() + ")";
+    let tree = Tree::blessed(&[("ball", &lit)]);
+    let script = "echo \"it is $1\" >&2; grep '^<!-- Shading: Attenuated -->$' \"$2\" >&2; exit 3";
+    tree.write("adapters/t/t.sh", script.as_bytes());
+    let adapter = "(name: \"T\", command: [\"sh\", \"{folder}/t.sh\", \"{shading}\", \"{scene}\"], \
+                   scene: CornellXml)";
+    tree.write("adapters/t/adapter.ron", adapter.as_bytes());
+    let ran = tree.run(&["conform", "--renderer", "t"]);
+    ran.expect_code(1).expect("it said: <!-- Shading: Attenuated -->");
+    let printed = tree.path("target/goldray-conform/t/ball.files/printed.txt");
+    assert!(fs::read_to_string(printed).unwrap().contains("it is attenuated\n"));
+}
+
+#[test]
 fn jittered_pixel_centers_fail() {
     let jittered = format!("{RIGHT} --samples 1 --sampler stratified:7");
     let (_, ran) = check(&jittered, "", ["pass", "fail", "pass"], "interior pixels differ by more");

@@ -8,6 +8,7 @@ use harness::picture_file::Stored;
 use harness::store::{self, Scratch, StoreError};
 use interchange::Feature;
 use interchange::export::{Dialect, Exported, NotWritten, export};
+use scene::format::Shading;
 use tracer::{Size, edges};
 
 use super::artifacts::{Kept, keep, write_strip};
@@ -174,6 +175,11 @@ fn words(renderer: &Renderer, subject: &Subject, exported: &Exported) -> Vec<Str
         width: size.width * exported.grid,
         height: size.height * exported.grid,
         samples: subject.fixture.scene.samples().samples_per_pixel(),
+        shading: match subject.fixture.scene_file().shading {
+            Shading::Classic => "classic",
+            Shading::Attenuated => "attenuated",
+            Shading::Radiometric => "radiometric",
+        },
         ..renderer.filling.clone()
     };
     renderer.adapter.command.iter().map(|word| word.filled(&filling)).collect()
