@@ -256,6 +256,22 @@ fn a_wrong_picture_leaves_a_strip() {
 }
 
 #[test]
+fn a_program_in_a_relative_folder_of_the_path_is_run() {
+    let tree = suite("", "");
+    let version = "[ \"$1\" = -v ] && echo 1.2 && exit";
+    let script = format!("#!/bin/sh\n{version}\ngoldray=$1 scene=$2 out=$3\n{RIGHT}\n");
+    tree.write("build/tracer", script.as_bytes());
+    let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    fs::set_permissions(tree.path("build/tracer"), mode).unwrap();
+    let adapter = "(name: \"T\", command: [\"tracer\", \"{self}\", \"{scene}\", \"{output}\"], \
+                   version: [\"tracer\", \"-v\"], scene: Ron)";
+    tree.write("adapters/t/adapter.ron", adapter.as_bytes());
+    let path = format!("build:{}", std::env::var("PATH").unwrap());
+    let ran = tree.run_with(&["conform", "--renderer", "t"], &[("PATH", &path)]);
+    ran.expect_code(0).expect("T (1.2)").expect("T: 3 pass;");
+}
+
+#[test]
 fn what_cannot_be_asked_is_said_at_once() {
     let tree = suite("exit 1", "");
     let ask = |adapter: &str| tree.run(&["conform", "--renderer", adapter]).expect_code(2);
@@ -288,13 +304,22 @@ fn what_cannot_be_asked_is_said_at_once() {
     assert!(!tree.path("target/goldray-conform/t/results.json").exists());
 }
 
+const RUBRIC: &str =
+    "(version: 1, title: \"R\", parts: [(name: \"All\", points: 1, fixtures: [\"*\"])])";
+
 #[test]
 fn who_is_wrong_judges_nobody() {
     let tree = suite(RIGHT, "");
     fs::remove_file(tree.path("golden/ball.png")).unwrap();
     let ran = tree.run(&["conform", "--renderer", "t"]).expect_code(2);
     ran.expect("nobody is judged by fixtures that goldray does not match itself, and 1 of 3")
-        .expect("ball: missing golden: there is no golden");
+        .expect("ball: missing golden: there is no golden")
+        .expect("are no match, so that nothing was run:\n")
+        .expect("; what is right is accepted by: cargo xtask bless ball\n")
+        .expect("\nor ask for the others: cargo xtask conform --renderer t 'a/*' flat\n");
+    tree.write("rubric.ron", RUBRIC.as_bytes());
+    let grade = tree.run(&["grade", "--renderer", "t", "--rubric", "rubric.ron"]);
+    grade.expect_code(2).expect("cargo xtask bless ball\nor leave them out of rubric.ron\n");
     tree.run(&["conform", "--renderer", "t", "flat"]).expect_code(0);
 }
 

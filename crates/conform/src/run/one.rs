@@ -182,7 +182,7 @@ fn words(renderer: &Renderer, subject: &Subject, exported: &Exported) -> Vec<Str
         },
         ..renderer.filling.clone()
     };
-    renderer.adapter.command.iter().map(|word| word.filled(&filling)).collect()
+    renderer.placed(renderer.adapter.command.iter().map(|word| word.filled(&filling)).collect())
 }
 
 /// What is said of a run.
