@@ -9,6 +9,7 @@
 mod expect;
 mod hint;
 mod levels;
+mod single;
 
 pub use levels::{Level, Levels};
 

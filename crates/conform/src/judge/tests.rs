@@ -229,6 +229,34 @@ fn codes_that_were_cut_off_are_told() {
 }
 
 #[test]
+fn single_precision_is_told_from_what_is_a_little_wrong() {
+    /// With pixels off by these shares: of most, and of every seventh.
+    #[track_caller]
+    fn check(most: [f64; 2], some: [f64; 2], is_single: bool) {
+        let held = held_of(TILTED);
+        let picture = held.floats(|x, y, c| {
+            let shares = if (x + 3 * y).is_multiple_of(7) { some } else { most };
+            c * (1.0 + shares[((x + y) % 2) as usize])
+        });
+        assert_ne!(held.judged(&picture, plain()).numbers.interior_off, 0);
+        let said = held.hinted(&picture).unwrap_or_default();
+        let is_told = said.ends_with("(`tolerance: 1e-3` in its adapter)");
+        assert_eq!(is_told, is_single, "{most:?} {some:?} {said}");
+    }
+    check([-3e-7, 3e-7], [-9e-4, 9e-4], true);
+    check([-2e-6, 2e-6], [-2e-5, 2e-5], true);
+    // Beyond what is proposed in any pixel.
+    check([-3e-7, 3e-7], [-1.1e-3, 9e-4], false);
+    // A light that is 0.05 % too bright, and one that is so only here and there.
+    check([5e-4, 5e-4], [5e-4, 5e-4], false);
+    check([3e-7, 3e-7], [5e-4, 5e-4], false);
+    // One at another place: more here, less there, and everywhere by much.
+    check([-5e-4, 5e-4], [-5e-4, 5e-4], false);
+    // A few pixels, where all others are exact.
+    check([0.0, 0.0], [-5e-4, 5e-4], false);
+}
+
+#[test]
 fn samples_in_corners_are_told() {
     /// With samples so far from the middles of pixels, to the right and up, in pixels.
     #[track_caller]
