@@ -248,7 +248,13 @@ fn a_failure_can_be_run_by_hand() {
 #[test]
 fn a_wrong_picture_leaves_a_strip() {
     let jittered = format!("{RIGHT} --samples 1 --sampler stratified:7");
-    let (tree, _) = check(&jittered, "", ["pass", "fail", "pass"], "");
+    let (tree, ran) = check(&jittered, "", ["pass", "fail", "pass"], "");
+    // The line says what it is on, and where to look.
+    let stdout = ran.stdout();
+    let line = stdout.lines().find(|line| line.starts_with("fail        ball: ")).unwrap();
+    let (what, strip) = line.rsplit_once(" | see ").unwrap();
+    assert!(what.contains(" | on the Plane of fixtures/ball.ron:8:9"), "{line}");
+    assert!(tree.path(strip).is_file(), "{line}");
     for file in ["ball.png", "ball.exr", "ball.files/out.exr", "ball.files/scene.ron"] {
         assert!(tree.path(&format!("target/goldray-conform/t/{file}")).exists(), "{file}");
     }

@@ -184,11 +184,12 @@ pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk
     for renderer in &renderers {
         renderer.prepare(&out.join(&renderer.info.id))?;
     }
+    let prefix = here.reader(&suite).path_prefix;
     let mut all = Vec::new();
     for renderer in &renderers {
         let folder = out.join(&renderer.info.id);
         let plan = Plan { jobs: asked.jobs, timeout: asked.timeout, folder: &folder, stop: &stop };
-        let Some(conformed) = one(renderer, &subjects, &plan)? else {
+        let Some(conformed) = one(renderer, (&subjects, &prefix), &plan)? else {
             let who = format!("{} has not rendered everything", renderer.info.name);
             return Ok(Ran::Interrupted(interrupted(&who)));
         };
@@ -258,7 +259,7 @@ fn right_ones(
 /// All fixtures by one renderer.
 fn one(
     renderer: &Renderer,
-    subjects: &[Subject],
+    (subjects, prefix): (&[Subject], &str),
     plan: &Plan<'_>,
 ) -> Result<Option<Conformed>, CannotAsk> {
     let version = match renderer.info.version.as_str() {
@@ -270,7 +271,7 @@ fn one(
     let progress = Progress::start("conforming", subjects.len());
     let lines = Lines::new(subjects.iter().map(|subject| subject.name.as_str()), &progress);
     let told = |told: &Told<'_>| {
-        lines.tell(told.name, (told.result.outcome != Outcome::Pass).then(|| line(told)));
+        lines.tell(told.name, (told.result.outcome != Outcome::Pass).then(|| line(told, prefix)));
         progress.advance(told.name);
     };
     let stop = |time| (plan.stop)(time) || lines.is_unread();
@@ -283,17 +284,16 @@ fn one(
     Ok(Some(conformed))
 }
 
-/// What is said of a fixture that does not pass.
-fn line(told: &Told<'_>) -> String {
-    let Told { name, result, by_hand } = told;
-    let by_hand = by_hand.as_ref();
-    let by_hand = by_hand.map(|by_hand| format!("\n            by hand: {by_hand}"));
-    let findings = result.findings.join(" | ");
-    format!(
-        "{:<11} {name}: {findings}{}",
-        outcome::words(result.outcome),
-        by_hand.unwrap_or_default()
-    )
+/// What is said of a fixture that does not pass; `prefix` leads to the suite.
+fn line(told: &Told<'_>, prefix: &str) -> String {
+    let Told { name, result, by_hand, strip, worst_on } = told;
+    let file = format!("{prefix}{}", Suite::fixture_label(name));
+    let on = worst_on.iter().map(|seen| format!("on {}", seen.words(&file)));
+    let see = strip.iter().map(|strip| format!("see {}", strip.display()));
+    let parts: Vec<_> = result.findings.iter().cloned().chain(on).chain(see).collect();
+    let by_hand = by_hand.iter().map(|by_hand| format!("\n            by hand: {by_hand}"));
+    let by_hand: String = by_hand.collect();
+    format!("{:<11} {name}: {}{by_hand}", outcome::words(result.outcome), parts.join(" | "))
 }
 
 /// How many of each outcome, and how far the interior of those that pass is off.
