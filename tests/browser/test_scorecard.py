@@ -283,6 +283,9 @@ def test_a_grade_adds_up_and_has_its_evidence(open_card, cards):
         section = look.page.locator(f"section.part:has(#part-{index})")
         failing = [one["name"] for one in part["fixtures"] if one["outcome"] != "pass"]
         assert section.locator("details.result summary .name").all_text_contents() == failing
+        is_open = [one.get_attribute("open") is not None for one in section.locator("details.result").all()]
+        ended = [one["outcome"] for one in part["fixtures"] if one["outcome"] != "pass"]
+        assert is_open == [outcome != "unsupported" for outcome in ended]
         if failing and part["fixtures"][-1]["outcome"] == "fail":
             assert section.locator("img").count() >= 3
 

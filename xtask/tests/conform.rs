@@ -320,7 +320,7 @@ fn who_is_wrong_judges_nobody() {
     let ran = tree.run(&["conform", "--renderer", "t"]).expect_code(2);
     ran.expect("nobody is judged by fixtures that goldray does not match itself, and 1 of 3")
         .expect("ball: missing golden: there is no golden")
-        .expect("are no match, so that nothing was run:\n")
+        .expect("1 of 3 is no match, so that nothing was run:\n")
         .expect("; what is right is accepted by: cargo xtask bless ball\n")
         .expect("\nor ask for the others: cargo xtask conform --renderer t 'a/*' flat\n");
     tree.write("rubric.ron", RUBRIC.as_bytes());

@@ -150,7 +150,7 @@ fn an_edge_may_show_either_side_and_nothing_else() {
         assert_eq!(with(side).findings, [""; 0]);
     }
     let judged = with([0.25, 0.5, 9.0]);
-    fails(&judged, "1 edge pixels show neither of what is on both sides");
+    fails(&judged, "1 edge pixel shows neither of what is on both sides");
     assert_eq!((judged.numbers.edge_off, judged.numbers.interior_off), (1, 0));
     // All edges at once, where only half of them may be.
     let all = held.floats(|x, y, c| {

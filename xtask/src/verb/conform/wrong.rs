@@ -35,10 +35,11 @@ pub(super) fn words(
         more => format!("  and {more} more\n"),
     };
     format!(
-        "nobody is judged by fixtures that goldray does not match itself, and {} of {} are no match, so \
+        "nobody is judged by fixtures that goldray does not match itself, and {} of {} {} no match, so \
          that nothing was run:\n{lines}{more}{}\n{}",
         wrong.len(),
         names.len(),
+        if wrong.len() == 1 { "is" } else { "are" },
         remedy(wrong, flag),
         without(wrong, names, flag, leave_out),
     )
