@@ -290,6 +290,17 @@ def test_a_grade_adds_up_and_has_its_evidence(open_card, cards):
             assert section.locator("img").count() >= 3
 
 
+@pytest.mark.parametrize("name, hash", [("few", ""), ("few", "#/fixture/torus/annulus"), ("grade", "")])
+def test_a_frame_is_as_wide_as_its_table(open_card, name, hash):
+    look = open_card(name, hash)
+    look.page.set_viewport_size({"width": 1280, "height": 900})
+    gaps = look.page.evaluate(
+        """[...document.querySelectorAll(".scrolled")].map((frame) =>
+            frame.clientWidth - frame.querySelector("table").getBoundingClientRect().width)"""
+    )
+    assert gaps and all(abs(gap) <= 1 for gap in gaps), gaps
+
+
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: f"{path.parent.name}-{path.stem}")
 def test_a_script_says_what_it_is_and_is_one_idea_long(path):
     text = path.read_text()
