@@ -252,8 +252,18 @@ fn single_precision_is_told_from_what_is_a_little_wrong() {
     check([3e-7, 3e-7], [5e-4, 5e-4], false);
     // One at another place: more here, less there, and everywhere by much.
     check([-5e-4, 5e-4], [-5e-4, 5e-4], false);
-    // A few pixels, where all others are exact.
+    // Every seventh pixel, where all others are exact.
     check([0.0, 0.0], [-5e-4, 5e-4], false);
+    // Twelve of all pixels say nothing.
+    let held = held_of(TILTED);
+    let share = |x: u32| [-3e-7, 3e-7, 5e-4][if x == 12 { 2 } else { (x % 2) as usize }];
+    let few = held.floats(
+        |x, y, c| {
+            if y == 6 && (7..19).contains(&x) { c * (1.0 + share(x)) } else { c }
+        },
+    );
+    assert_ne!(held.judged(&few, plain()).numbers.interior_off, 0);
+    assert_eq!(held.hinted(&few), None);
 }
 
 #[test]
