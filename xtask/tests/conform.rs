@@ -253,7 +253,7 @@ fn a_wrong_picture_leaves_a_strip() {
     let stdout = ran.stdout();
     let line = stdout.lines().find(|line| line.starts_with("fail        ball: ")).unwrap();
     let (what, strip) = line.rsplit_once(" | see ").unwrap();
-    assert!(what.contains(" | on the Plane of fixtures/ball.ron:8:9"), "{line}");
+    assert!(what.contains(" | the worst is on the Plane of fixtures/ball.ron:8:9"), "{line}");
     assert!(tree.path(strip).is_file(), "{line}");
     for file in ["ball.png", "ball.exr", "ball.files/out.exr", "ball.files/scene.ron"] {
         assert!(tree.path(&format!("target/goldray-conform/t/{file}")).exists(), "{file}");

@@ -288,7 +288,7 @@ fn one(
 fn line(told: &Told<'_>, prefix: &str) -> String {
     let Told { name, result, by_hand, strip, worst_on } = told;
     let file = format!("{prefix}{}", Suite::fixture_label(name));
-    let on = worst_on.iter().map(|seen| format!("on {}", seen.words(&file)));
+    let on = worst_on.iter().map(|seen| format!("the worst is on {}", seen.words(&file)));
     let see = strip.iter().map(|strip| format!("see {}", strip.display()));
     let parts: Vec<_> = result.findings.iter().cloned().chain(on).chain(see).collect();
     let by_hand = by_hand.iter().map(|by_hand| format!("\n            by hand: {by_hand}"));
