@@ -283,8 +283,22 @@ def test_a_grade_adds_up_and_has_its_evidence(open_card, cards):
         section = look.page.locator(f"section.part:has(#part-{index})")
         failing = [one["name"] for one in part["fixtures"] if one["outcome"] != "pass"]
         assert section.locator("details.result summary .name").all_text_contents() == failing
+        is_open = [one.get_attribute("open") is not None for one in section.locator("details.result").all()]
+        ended = [one["outcome"] for one in part["fixtures"] if one["outcome"] != "pass"]
+        assert is_open == [outcome != "unsupported" for outcome in ended]
         if failing and part["fixtures"][-1]["outcome"] == "fail":
             assert section.locator("img").count() >= 3
+
+
+@pytest.mark.parametrize("name, hash", [("few", ""), ("few", "#/fixture/torus/annulus"), ("grade", "")])
+def test_a_frame_is_as_wide_as_its_table(open_card, name, hash):
+    look = open_card(name, hash)
+    look.page.set_viewport_size({"width": 1280, "height": 900})
+    gaps = look.page.evaluate(
+        """[...document.querySelectorAll(".scrolled")].map((frame) =>
+            frame.clientWidth - frame.querySelector("table").getBoundingClientRect().width)"""
+    )
+    assert gaps and all(abs(gap) <= 1 for gap in gaps), gaps
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: f"{path.parent.name}-{path.stem}")

@@ -97,6 +97,22 @@ fn goldray_in_another_process_agrees_with_itself() {
 }
 
 #[test]
+fn a_renderer_of_the_courses_xml_is_told_the_convention() {
+    let lit = BALL.replace("background: (0.1, 0.2, 0.4)", "shading: Attenuated");
+    let lit = lit.split("    check:").next().unwrap().to_owned() + ")";
+    let tree = Tree::blessed(&[("ball", &lit)]);
+    let script = "echo \"it is $1\" >&2; grep '^<!-- Shading: Attenuated -->$' \"$2\" >&2; exit 3";
+    tree.write("adapters/t/t.sh", script.as_bytes());
+    let adapter = "(name: \"T\", command: [\"sh\", \"{folder}/t.sh\", \"{shading}\", \"{scene}\"], \
+                   scene: CornellXml)";
+    tree.write("adapters/t/adapter.ron", adapter.as_bytes());
+    let ran = tree.run(&["conform", "--renderer", "t"]);
+    ran.expect_code(1).expect("it said: <!-- Shading: Attenuated -->");
+    let printed = tree.path("target/goldray-conform/t/ball.files/printed.txt");
+    assert!(fs::read_to_string(printed).unwrap().contains("it is attenuated\n"));
+}
+
+#[test]
 fn jittered_pixel_centers_fail() {
     let jittered = format!("{RIGHT} --samples 1 --sampler stratified:7");
     let (_, ran) = check(&jittered, "", ["pass", "fail", "pass"], "interior pixels differ by more");
@@ -232,11 +248,33 @@ fn a_failure_can_be_run_by_hand() {
 #[test]
 fn a_wrong_picture_leaves_a_strip() {
     let jittered = format!("{RIGHT} --samples 1 --sampler stratified:7");
-    let (tree, _) = check(&jittered, "", ["pass", "fail", "pass"], "");
+    let (tree, ran) = check(&jittered, "", ["pass", "fail", "pass"], "");
+    // The line says what it is on, and where to look.
+    let stdout = ran.stdout();
+    let line = stdout.lines().find(|line| line.starts_with("fail        ball: ")).unwrap();
+    let (what, strip) = line.rsplit_once(" | see ").unwrap();
+    assert!(what.contains(" | the worst is on the Plane of fixtures/ball.ron:8:9"), "{line}");
+    assert!(tree.path(strip).is_file(), "{line}");
     for file in ["ball.png", "ball.exr", "ball.files/out.exr", "ball.files/scene.ron"] {
         assert!(tree.path(&format!("target/goldray-conform/t/{file}")).exists(), "{file}");
     }
     assert!(!tree.path("target/goldray-conform/t/flat.png").exists());
+}
+
+#[test]
+fn a_program_in_a_relative_folder_of_the_path_is_run() {
+    let tree = suite("", "");
+    let version = "[ \"$1\" = -v ] && echo 1.2 && exit";
+    let script = format!("#!/bin/sh\n{version}\ngoldray=$1 scene=$2 out=$3\n{RIGHT}\n");
+    tree.write("build/tracer", script.as_bytes());
+    let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    fs::set_permissions(tree.path("build/tracer"), mode).unwrap();
+    let adapter = "(name: \"T\", command: [\"tracer\", \"{self}\", \"{scene}\", \"{output}\"], \
+                   version: [\"tracer\", \"-v\"], scene: Ron)";
+    tree.write("adapters/t/adapter.ron", adapter.as_bytes());
+    let path = format!("build:{}", std::env::var("PATH").unwrap());
+    let ran = tree.run_with(&["conform", "--renderer", "t"], &[("PATH", &path)]);
+    ran.expect_code(0).expect("T (1.2)").expect("T: 3 pass;");
 }
 
 #[test]
@@ -272,13 +310,22 @@ fn what_cannot_be_asked_is_said_at_once() {
     assert!(!tree.path("target/goldray-conform/t/results.json").exists());
 }
 
+const RUBRIC: &str =
+    "(version: 1, title: \"R\", parts: [(name: \"All\", points: 1, fixtures: [\"*\"])])";
+
 #[test]
 fn who_is_wrong_judges_nobody() {
     let tree = suite(RIGHT, "");
     fs::remove_file(tree.path("golden/ball.png")).unwrap();
     let ran = tree.run(&["conform", "--renderer", "t"]).expect_code(2);
     ran.expect("nobody is judged by fixtures that goldray does not match itself, and 1 of 3")
-        .expect("ball: missing golden: there is no golden");
+        .expect("ball: missing golden: there is no golden")
+        .expect("1 of 3 is no match, so that nothing was run:\n")
+        .expect("; what is right is accepted by: cargo xtask bless ball\n")
+        .expect("\nor ask for the others: cargo xtask conform --renderer t 'a/*' flat\n");
+    tree.write("rubric.ron", RUBRIC.as_bytes());
+    let grade = tree.run(&["grade", "--renderer", "t", "--rubric", "rubric.ron"]);
+    grade.expect_code(2).expect("cargo xtask bless ball\nor leave them out of rubric.ron\n");
     tree.run(&["conform", "--renderer", "t", "flat"]).expect_code(0);
 }
 

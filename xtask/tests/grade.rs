@@ -49,9 +49,9 @@ fn a_plan_says_what_the_adapter_rules_out() {
     plan(&without)
         .expect_code(0)
         .expect(&format!(
-            "  Squares: square/a, square/b\n          1 of 2 are ruled out by the adapter: {why}\n"
+            "  Squares: square/a, square/b\n          1 of 2 is ruled out by the adapter: {why}\n"
         ))
-        .expect(&format!("          1 of 3 are ruled out by the adapter: {why}\n"));
+        .expect(&format!("          1 of 3 is ruled out by the adapter: {why}\n"));
     // What the language has no words for.
     plan(&NONE.replace("Ron)", "Nff)")).expect_code(0).expect("Nff has no words for ");
     plan(&NONE.replace("Ron)", "Ron, tolerance: 7)")).expect_code(2).expect("adapters/none.ron:1:");

@@ -73,7 +73,7 @@ features! {
         /// Shapes in a space of their own.
         Group,
         /// A round shape, or a mesh with normals, under a transform that does not
-        /// keep angles. Only writers of scenes ask for it.
+        /// keep angles.
         StretchedRound,
     }
     "materials": {
@@ -85,7 +85,7 @@ features! {
         Lambert,
         /// Blinn and Phong's highlight.
         BlinnPhong,
-        /// One that is not gray. Only writers of scenes ask for it.
+        /// One that is not gray.
         ColoredHighlight,
     }
     "mirrors and glass": {
@@ -115,15 +115,14 @@ features! {
         DirectionalLight,
         /// Light from everywhere.
         AmbientLight,
-        /// More than one of them. Only writers of scenes ask for it.
+        /// More than one at a point or from a direction.
         SeveralLights,
         /// Shadows.
         Shadows,
         /// Lights without shadows.
         NoShadows,
         /// Surfaces that are too near to each other for a shadow, by the gap that
-        /// the convention leaves. Only writers of scenes ask for it, who look at
-        /// the picture for it.
+        /// the convention leaves. Only where the picture shows it.
         ShadowGap,
     }
     "shading": {
@@ -133,11 +132,11 @@ features! {
         Attenuated,
         /// `kd / pi`, the highlight times the cosine.
         Radiometric,
-        /// Surfaces that show their backs, by a normal that is not turned. Only
-        /// writers of scenes ask for it, who look at the picture for it.
+        /// Surfaces that show their backs, by a normal that is not turned. Only where
+        /// the picture shows it.
         BackSides,
         /// A highlight of a light that is behind the surface, or on a back side. Only
-        /// writers of scenes ask for it, who look at the picture for it.
+        /// where the picture shows it.
         HighlightFromBehind,
     }
     "pictures": {
@@ -168,14 +167,32 @@ features! {
     }
 }
 
+impl Feature {
+    /// Whether a file alone does not say that it is asked for: objects must be in their
+    /// places, lights that shine known, the picture looked at. [`features`] is without
+    /// these, [`asks`](crate::export::asks) has them.
+    pub fn is_seen(self) -> bool {
+        matches!(
+            self,
+            Self::StretchedRound
+                | Self::ColoredHighlight
+                | Self::SeveralLights
+                | Self::ShadowGap
+                | Self::BackSides
+                | Self::HighlightFromBehind
+        )
+    }
+}
+
 impl fmt::Display for Feature {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-/// Everything that a scene asks for. What a picture does not need is not asked:
-/// a silhouette asks for no light and no material.
+/// Everything that a scene asks for as its file says it, but for what must be looked for
+/// ([`Feature::is_seen`]). What a picture does not need is not asked: a silhouette asks
+/// for no light and no material.
 pub fn features<C>(file: &SceneFile<C>) -> BTreeSet<Feature> {
     let mut found = BTreeSet::new();
     of_camera(file, &mut found);

@@ -2,6 +2,7 @@
 
 mod lines;
 mod places;
+mod wrong;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -10,13 +11,13 @@ use std::time::{Duration, Instant};
 use conform::card;
 use conform::run::{Plan, RESULTS, Renderer, Subject, Told, run, subjects};
 use conform::{Conformed, Outcome, objects_of, outcome};
-use harness::called::command;
 use harness::suite::Suite;
 
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::{Answer, CannotAsk, Here};
 use lines::Lines;
+pub(crate) use wrong::LeaveOut;
 
 /// Flags of `conform`.
 #[derive(Debug, clap::Args)]
@@ -70,6 +71,7 @@ pub(crate) fn run_verb(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let asked = Asked {
         renderers: &args.renderers,
         filters: &args.filters,
+        leave_out: LeaveOut::Filters { renderers: &args.renderers, filters: &args.filters },
         out: args.out.as_deref(),
         inputs: &[],
         outputs: &outputs,
@@ -125,6 +127,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) renderers: &'a [String],
     /// Which fixtures; all if there is none.
     pub(crate) filters: &'a [String],
+    /// How fixtures are left out.
+    pub(crate) leave_out: LeaveOut<'a>,
     /// Where results are put; the suite's own place if it is not said.
     pub(crate) out: Option<&'a Path>,
     /// What is read beside adapters and the suite, and must not be written over.
@@ -170,7 +174,7 @@ pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk
     };
     let written = [asked.outputs, &files_of(&out, &renderers)].concat();
     places::keep_apart(&renderers, asked.inputs, (&out, &written))?;
-    let Some(subjects) = right_ones(here, &suite, &names, &stop)? else {
+    let Some(subjects) = right_ones(here, &suite, (&names, asked.leave_out), &stop)? else {
         return Ok(Ran::Interrupted(interrupted(NOBODY)));
     };
     for renderer in &renderers {
@@ -180,11 +184,12 @@ pub(crate) fn conformed(here: &Here, asked: &Asked<'_>) -> Result<Ran, CannotAsk
     for renderer in &renderers {
         renderer.prepare(&out.join(&renderer.info.id))?;
     }
+    let prefix = here.reader(&suite).path_prefix;
     let mut all = Vec::new();
     for renderer in &renderers {
         let folder = out.join(&renderer.info.id);
         let plan = Plan { jobs: asked.jobs, timeout: asked.timeout, folder: &folder, stop: &stop };
-        let Some(conformed) = one(renderer, &subjects, &plan)? else {
+        let Some(conformed) = one(renderer, (&subjects, &prefix), &plan)? else {
             let who = format!("{} has not rendered everything", renderer.info.name);
             return Ok(Ran::Interrupted(interrupted(&who)));
         };
@@ -239,35 +244,22 @@ fn find(
 fn right_ones(
     here: &Here,
     suite: &Suite,
-    names: &[String],
+    (names, leave_out): (&[String], LeaveOut<'_>),
     stop: conform::process::Stop<'_>,
 ) -> Result<Option<Vec<Subject>>, CannotAsk> {
     let progress = Progress::start("rendering", names.len());
     let made = subjects(suite, names, &|name| progress.advance(name), stop);
     progress.finish();
     made.map_err(|wrong| {
-        const SHOWN: usize = 8;
-        let lines =
-            wrong.iter().take(SHOWN).map(|w| format!("  {}: {}\n", w.name, w.why.trim_end()));
-        let lines: String = lines.collect();
-        let more = match wrong.len().saturating_sub(SHOWN) {
-            0 => String::new(),
-            more => format!("  and {more} more\n"),
-        };
-        let (called, flag) = (command(), here.reader(suite).root_flag);
-        CannotAsk(format!(
-            "nobody is judged by fixtures that goldray does not match itself, and {} of {} are no \
-             match:\n{lines}{more}{called}{flag} check says more; without them others can be asked for",
-            wrong.len(),
-            names.len()
-        ))
+        let flag = here.reader(suite).root_flag;
+        CannotAsk(wrong::words(&wrong, names, &flag, leave_out))
     })
 }
 
 /// All fixtures by one renderer.
 fn one(
     renderer: &Renderer,
-    subjects: &[Subject],
+    (subjects, prefix): (&[Subject], &str),
     plan: &Plan<'_>,
 ) -> Result<Option<Conformed>, CannotAsk> {
     let version = match renderer.info.version.as_str() {
@@ -279,7 +271,7 @@ fn one(
     let progress = Progress::start("conforming", subjects.len());
     let lines = Lines::new(subjects.iter().map(|subject| subject.name.as_str()), &progress);
     let told = |told: &Told<'_>| {
-        lines.tell(told.name, (told.result.outcome != Outcome::Pass).then(|| line(told)));
+        lines.tell(told.name, (told.result.outcome != Outcome::Pass).then(|| line(told, prefix)));
         progress.advance(told.name);
     };
     let stop = |time| (plan.stop)(time) || lines.is_unread();
@@ -292,17 +284,16 @@ fn one(
     Ok(Some(conformed))
 }
 
-/// What is said of a fixture that does not pass.
-fn line(told: &Told<'_>) -> String {
-    let Told { name, result, by_hand } = told;
-    let by_hand = by_hand.as_ref();
-    let by_hand = by_hand.map(|by_hand| format!("\n            by hand: {by_hand}"));
-    let findings = result.findings.join(" | ");
-    format!(
-        "{:<11} {name}: {findings}{}",
-        outcome::words(result.outcome),
-        by_hand.unwrap_or_default()
-    )
+/// What is said of a fixture that does not pass; `prefix` leads to the suite.
+fn line(told: &Told<'_>, prefix: &str) -> String {
+    let Told { name, result, by_hand, strip, worst_on } = told;
+    let file = format!("{prefix}{}", Suite::fixture_label(name));
+    let on = worst_on.iter().map(|seen| format!("the worst is on {}", seen.words(&file)));
+    let see = strip.iter().map(|strip| format!("see {}", strip.display()));
+    let parts: Vec<_> = result.findings.iter().cloned().chain(on).chain(see).collect();
+    let by_hand = by_hand.iter().map(|by_hand| format!("\n            by hand: {by_hand}"));
+    let by_hand: String = by_hand.collect();
+    format!("{:<11} {name}: {}{by_hand}", outcome::words(result.outcome), parts.join(" | "))
 }
 
 /// How many of each outcome, and how far the interior of those that pass is off.

@@ -9,7 +9,7 @@ use conform::objects_of;
 use harness::fixture::{Build, Fixture};
 use harness::suite::Suite;
 
-use super::conform::{Asked, Ran, conformed, seconds};
+use super::conform::{Asked, LeaveOut, Ran, conformed, seconds};
 use crate::{Answer, CannotAsk, Here};
 
 /// Flags of `grade`.
@@ -88,6 +88,7 @@ pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let asked = Asked {
         renderers: std::slice::from_ref(&args.renderer),
         filters: &names,
+        leave_out: LeaveOut::Rubric(&args.rubric),
         out: Some(&out),
         inputs: std::slice::from_ref(&args.rubric),
         outputs: &FILES.map(|name| out.join(name)),

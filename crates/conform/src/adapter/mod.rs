@@ -211,6 +211,12 @@ fn examine(file: &AdapterFile, command: &[Word], version: &[Word], refuse: &mut 
             }
         }
     }
+    if file.scene == Dialect::Obj {
+        let message = "expected a language with cameras and lights, found Obj, which has neither";
+        let help = "whoever renders an OBJ file sees no more than shapes and their colors: take \
+                    `scene: Json`, which says all, or another";
+        refuse(at("scene"), message.to_owned(), Some(help.to_owned()));
+    }
     let is_plain = |name: &str| {
         !name.is_empty() && name != "." && name != ".." && !name.contains(['/', '\\', '\0', ':'])
     };

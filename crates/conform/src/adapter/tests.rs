@@ -60,6 +60,7 @@ fn problems_are_told_together_with_their_places() {
     refused(&with("output: \"../a.png\""), &["expected the name of a file"]);
     refused(&with("output: \"\""), &["expected the name of a file"]);
     refused(&with("version: [\"x\", \"{output}\"]"), &["{output} is known only where"]);
+    refused(&with("version: [\"x\", \"{shading}\"]"), &["{shading} is known only where"]);
     refused(
         &with("timeout_s: 0, tolerance: 0.5, edges: -1, edge_reach: 1"),
         &["from 0.1 to 86400", "from 0 to 0.1", "from 0 to 1", "from 0.000001 to 0.1"],
@@ -67,6 +68,19 @@ fn problems_are_told_together_with_their_places() {
     refused(&with("tolerance: NaN"), &["from 0 to 0.1, found NaN"]);
     refused(&with("unsupported: {Torsu: \"\"}"), &["`Torus`"]);
     refused(&with("env: {\"A=B\": \"\"}"), &["expected the name of a variable"]);
+}
+
+#[test]
+fn a_language_without_cameras_is_refused_with_another() {
+    refused(
+        &SMALL.replace("scene: Ron", "scene: Obj"),
+        &["a.ron:1:47: expected a language with cameras and lights, found Obj"],
+    );
+    let why = Adapter::read("a.ron", &SMALL.replace("Ron", "Obj")).unwrap_err();
+    assert!(why.contains("take `scene: Json`"), "{why}");
+    for &dialect in Dialect::ALL.iter().filter(|&&dialect| dialect != Dialect::Obj) {
+        Adapter::read("a.ron", &SMALL.replace("Ron", dialect.name())).unwrap();
+    }
 }
 
 #[test]

@@ -15,6 +15,8 @@ pub struct Filling {
     pub height: u32,
     /// Samples in each pixel.
     pub samples: u32,
+    /// The convention of shading: `classic`, `attenuated` or `radiometric`.
+    pub shading: &'static str,
     /// The adapter's own folder.
     pub folder: String,
     /// The suite's folder.
@@ -24,12 +26,13 @@ pub struct Filling {
 }
 
 /// The holes by their names, and whether they are known before there is a scene.
-const HOLES: [(&str, bool); 8] = [
+const HOLES: [(&str, bool); 9] = [
     ("scene", false),
     ("output", false),
     ("width", false),
     ("height", false),
     ("samples", false),
+    ("shading", false),
     ("folder", true),
     ("root", true),
     ("self", true),
@@ -111,6 +114,7 @@ impl Word {
             Part::Hole("width") => with.width.to_string(),
             Part::Hole("height") => with.height.to_string(),
             Part::Hole("samples") => with.samples.to_string(),
+            Part::Hole("shading") => with.shading.to_owned(),
             Part::Hole("folder") => with.folder.clone(),
             Part::Hole("root") => with.root.clone(),
             Part::Hole(_) => with.program.clone(),
@@ -150,6 +154,7 @@ mod tests {
             width: 64,
             height: 48,
             samples: 4,
+            shading: "radiometric",
             folder: "/f".into(),
             root: "/r".into(),
             program: "/self".into(),
@@ -171,6 +176,7 @@ mod tests {
         check("{scene}", "a b.ron");
         check("+I{scene}:{output}", "+Ia b.ron:o.png");
         check("{width}x{height}x{samples}", "64x48x4");
+        check("--{shading}", "--radiometric");
         check("{folder}{root}{self}", "/f/r/self");
         check("{{scene}}", "{scene}");
         check("{{{scene}}}", "{a b.ron}");

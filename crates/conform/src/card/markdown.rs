@@ -42,6 +42,11 @@ pub(crate) fn error(error: f64) -> String {
     if short == 0.0 || short.abs() >= 1e-2 { short.to_string() } else { format!("{short:e}") }
 }
 
+/// So many of something, by its words for one and for others.
+pub(crate) fn counted(count: u64, one: &str, others: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { others })
+}
+
 fn renderers(card: &Card) -> String {
     let mut table =
         "| renderer | version | pass | the others | tolerance | worst interior error | edge \
@@ -93,7 +98,7 @@ fn edges(tally: &Tally) -> String {
 fn features(card: &Card) -> String {
     let mut text =
         "\n## Features\n\nIn each cell: what the run says of the feature, and how many of the \
-                    fixtures that ask for it pass.\n"
+                    fixtures that ask for it pass, where any was rendered.\n"
             .to_owned();
     let mut family = "";
     for row in &card.rows {
@@ -167,8 +172,8 @@ fn why(name: &str, answered: &Answered) -> String {
         let on = answered.worst_on.as_ref();
         let on = on.map(|on| format!(", on {}", on.words(&Suite::fixture_label(name))));
         let off = format!(
-            "{} interior pixels are off, the worst by {}{at}{}",
-            numbers.interior_off,
+            "{} off, the worst by {}{at}{}",
+            counted(numbers.interior_off, "interior pixel is", "interior pixels are"),
             error(numbers.worst_interior),
             on.unwrap_or_default()
         );
@@ -203,11 +208,13 @@ fn consensus(card: &Card) -> String {
     }
     let _ = writeln!(
         text,
-        "Of {} scenes that {FEWEST_VOTERS} renderers or more have a picture of, goldray included, all \
-         agree in every interior pixel of {}. In {} interior pixels there is no majority.\n\n\
+        "Of {} that {FEWEST_VOTERS} renderers or more have a picture of, goldray included, all \
+         agree in every interior pixel of {}. In {} there is no majority.\n\n\
          | renderer | scenes | stands alone, interior pixels | in scenes | edge pixels | against the \
          majority with others |\n|---|---|---|---|---|---|",
-        sum.fixtures, sum.agreed, sum.undecided
+        counted(sum.fixtures, "scene", "scenes"),
+        sum.agreed,
+        counted(sum.undecided, "interior pixel", "interior pixels")
     );
     for id in std::iter::once(GOLDRAY).chain(card.ids().filter(|id| *id != GOLDRAY)) {
         let Some(share) = sum.voters.get(id) else { continue };
@@ -250,6 +257,7 @@ pub fn sentences(name: &str, told: &Told, voters: &[&str]) -> Vec<String> {
         let count = match (regions.len(), told.untold.0) {
             (1, 0) => "in one region".to_owned(),
             (n, 0) => format!("in {n} regions, the largest of {} px", largest.pixels),
+            (1, _) => format!("in one region or more, the largest of {} px", largest.pixels),
             (n, _) => format!("in {n} regions or more, the largest of {} px", largest.pixels),
         };
         let _ = write!(line, ", {count} at ({left}, {top})..({right}, {bottom})");

@@ -21,7 +21,7 @@ use interchange::Feature;
 
 pub use badge::badge;
 pub use json::json;
-pub(crate) use markdown::error;
+pub(crate) use markdown::{counted, error};
 pub use markdown::{markdown, sentences};
 pub(crate) use page::grade_html;
 pub use page::html;

@@ -93,7 +93,10 @@ impl Standing {
                 "It passes in some fixtures; each that fails has a suspect among other features."
             }
             Self::Passes => "Every fixture with it that was rendered passes.",
-            Self::Unsupported => "No fixture with it was rendered: the adapter cannot ask for it.",
+            Self::Unsupported => {
+                "No fixture with it was rendered: the adapter or its language does not have it, or \
+                 not what else each of them asks for."
+            }
             Self::NotAsked => "No fixture of this run has it.",
         }
     }

@@ -137,6 +137,11 @@ fn a_sentence_tells_who_where_and_on_what() {
     let expected = "gamma and <wrong> are against the majority in 100 px of block, in one region \
                     at (7, 4)..(16, 13), on the Box of fixtures/block.ron:2:53";
     assert_eq!(sentences("block", told, &card.names(told)), [expected]);
+    // Smaller regions that are not listed may be of this opinion too.
+    let mut more = told.clone();
+    more.untold = (1, 2);
+    let [line] = &sentences("block", &more, &card.names(told))[..] else { panic!("one opinion") };
+    assert!(line.contains(", in one region or more, the largest of 100 px at (7, 4)"), "{line}");
     let ball = {
         let told = card.fixtures["ball"].told.as_ref().unwrap();
         sentences("ball", told, &card.names(told))

@@ -7,6 +7,7 @@ use harness::fixture::{Build, Fixture};
 use harness::store;
 use harness::suite::Suite;
 use interchange::Feature;
+use rayon::prelude::*;
 
 use super::Plan;
 use super::plan::MAX_BYTES;
@@ -27,7 +28,9 @@ impl Plan {
             let at = error.utf8_error().valid_up_to();
             format!("{label}: expected UTF-8 text, found another byte at offset {at}")
         })?;
-        let fixtures = names.iter().map(|name| Ok((name.clone(), asked(suite, name)?)));
+        // Each is rendered to be known, so many at a time.
+        let fixtures: Vec<_> = names.par_iter().map(|name| asked(suite, name)).collect();
+        let fixtures = names.iter().zip(fixtures).map(|(name, asked)| Ok((name.clone(), asked?)));
         let fixtures: BTreeMap<_, _> = fixtures.collect::<Result<_, String>>()?;
         Self::read(&text, &fixtures)
             .map_err(|problems| scene::report(&label.to_string(), &text, &problems))

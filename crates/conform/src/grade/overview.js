@@ -66,14 +66,16 @@ function partSection({ name, points, of, fixtures: all }, index) {
     "section",
     { class: "part", "aria-labelledby": heading },
     element("h2", { id: heading }, `${name}: ${pointWords(points)} of ${pointWords(of)}`),
-    others.map((one, i) => partResult(one, i === 0)),
+    others.map(partResult),
     passing.length > 0
       ? element("p", { class: "soft" }, element("span", { class: "badge", "data-outcome": "pass" }, "pass"), " ", passing.map(({ name }, i) => [i > 0 ? ", " : "", fixtureLink(name)]))
       : null,
   );
 }
 
-function partResult({ name, outcome }, isOpen) {
+// What failed is open, as it is the evidence; of what was not asked there is a reason, and no picture.
+function partResult({ name, outcome }) {
   if (outcome === null) return element("p", {}, `${name} was not run.`);
-  return foldedResult(fixtureByName.get(name), graded, isOpen);
+  const fixture = fixtureByName.get(name);
+  return foldedResult(fixture, graded, hasFailed(fixture.results[graded]));
 }

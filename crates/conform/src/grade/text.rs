@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use scene::visible;
 
 use super::{Grade, Plan};
+use crate::card::counted;
 
 /// What each part of a plan is about, and which of its fixtures the adapter rules out:
 /// `ruled_out` has them by name, with the reason.
@@ -18,14 +19,16 @@ pub fn plan_lines(plan: &Plan, ruled_out: &BTreeMap<String, String>) -> String {
         let out = asked.fixtures.iter().filter_map(|name| Some((name, ruled_out.get(name)?)));
         let out: Vec<_> = out.map(|(name, why)| format!("{name} ({})", visible(why))).collect();
         if !out.is_empty() {
+            let are = if out.len() == 1 { "is" } else { "are" };
             let (count, all, out) = (out.len(), asked.fixtures.len(), out.join(", "));
             let _ =
-                writeln!(text, "{:>8}  {count} of {all} are ruled out by the adapter: {out}", "");
+                writeln!(text, "{:>8}  {count} of {all} {are} ruled out by the adapter: {out}", "");
         }
     }
     for (penalty, asked) in plan.rubric.penalties.iter().zip(&plan.penalties) {
         let (points, name) = (format!("-{}", asked.points), visible(&penalty.name));
-        let _ = writeln!(text, "{points:>8}  {name}: of {} fixtures", asked.fixtures.len());
+        let of = counted(asked.fixtures.len() as u64, "fixture", "fixtures");
+        let _ = writeln!(text, "{points:>8}  {name}: of {of}");
     }
     text + &notes(&plan.unasked, &plan.shared)
 }

@@ -5,6 +5,7 @@ use harness::picture_file::Stored;
 use tracer::{Filter, Interval, Rgb, Scene, Size, pixel_center};
 
 use super::levels::pixel_of;
+use super::single::{ENOUGH, looks_single};
 use super::{Allowance, Judged, Level, Reference, error};
 use crate::adapter::{DEFAULT_REACH, Meaning, Rounding, Transfer};
 use crate::scale::Scale;
@@ -48,6 +49,14 @@ pub(super) fn hint(
     };
     if let Some(guess) = guesses(meaning).find(is_right) {
         return Some(words(meaning, guess));
+    }
+    let interior = (0..judged.off.len()).filter(|&at| reference.around[at].is_none());
+    let interior = interior.map(|at| (at, pixel_of(stored, grid, meaning, place(at))));
+    if allowance.tolerance < ENOUGH && looks_single(linear, interior) {
+        return Some(format!(
+            "it looks like single precision: all of its interior is within {ENOUGH:e}, most of it by \
+             far (`tolerance: {ENOUGH:e}` in its adapter)"
+        ));
     }
     let scene = &reference.fixture.scene;
     if grid > 1 || !has_middles(scene) {

@@ -9,6 +9,7 @@
 mod expect;
 mod hint;
 mod levels;
+mod single;
 
 pub use levels::{Level, Levels};
 
@@ -18,6 +19,7 @@ use tracer::{Around, LinearImage, Rgb, Size};
 
 use crate::Numbers;
 use crate::adapter::{Adapter, Meaning};
+use crate::card::counted;
 use crate::scale::Scale;
 use harness::picture_file::Stored;
 
@@ -216,8 +218,8 @@ fn strange(
     let (x, y) = (first as u32 % width, first as u32 / width);
     let found = levels.nominal().get(x, y).unwrap_or_default().channels();
     Some(format!(
-        "{} edge pixels show neither of what is on both sides, the first ({x}, {y}): found {}",
-        strange.len(),
+        "{} neither of what is on both sides, the first ({x}, {y}): found {}",
+        counted(strange.len() as u64, "edge pixel shows", "edge pixels show"),
         triple(found)
     ))
 }

@@ -151,7 +151,7 @@ fn an_edge_may_show_either_side_and_nothing_else() {
         assert_eq!(with(side).findings, [""; 0]);
     }
     let judged = with([0.25, 0.5, 9.0]);
-    fails(&judged, "1 edge pixels show neither of what is on both sides");
+    fails(&judged, "1 edge pixel shows neither of what is on both sides");
     assert_eq!((judged.numbers.edge_off, judged.numbers.interior_off), (1, 0));
     // All edges at once, where only half of them may be.
     let all = held.floats(|x, y, c| {
@@ -258,6 +258,44 @@ fn codes_that_were_cut_off_are_told() {
     assert!(down.contains("(`rounding: Down` in its adapter)"), "{down}");
     let down = hinted(|c| (256.0 * c).floor().min(255.0) / 255.0);
     assert!(down.contains("(`rounding: DownOfMore` in its adapter)"), "{down}");
+}
+
+#[test]
+fn single_precision_is_told_from_what_is_a_little_wrong() {
+    /// With pixels off by these shares: of most, and of every seventh.
+    #[track_caller]
+    fn check(most: [f64; 2], some: [f64; 2], is_single: bool) {
+        let held = held_of(TILTED);
+        let picture = held.floats(|x, y, c| {
+            let shares = if (x + 3 * y).is_multiple_of(7) { some } else { most };
+            c * (1.0 + shares[((x + y) % 2) as usize])
+        });
+        assert_ne!(held.judged(&picture, plain()).numbers.interior_off, 0);
+        let said = held.hinted(&picture).unwrap_or_default();
+        let is_told = said.ends_with("(`tolerance: 1e-3` in its adapter)");
+        assert_eq!(is_told, is_single, "{most:?} {some:?} {said}");
+    }
+    check([-3e-7, 3e-7], [-9e-4, 9e-4], true);
+    check([-2e-6, 2e-6], [-2e-5, 2e-5], true);
+    // Beyond what is proposed in any pixel.
+    check([-3e-7, 3e-7], [-1.1e-3, 9e-4], false);
+    // A light that is 0.05 % too bright, and one that is so only here and there.
+    check([5e-4, 5e-4], [5e-4, 5e-4], false);
+    check([3e-7, 3e-7], [5e-4, 5e-4], false);
+    // One at another place: more here, less there, and everywhere by much.
+    check([-5e-4, 5e-4], [-5e-4, 5e-4], false);
+    // Every seventh pixel, where all others are exact.
+    check([0.0, 0.0], [-5e-4, 5e-4], false);
+    // Twelve of all pixels say nothing.
+    let held = held_of(TILTED);
+    let share = |x: u32| [-3e-7, 3e-7, 5e-4][if x == 12 { 2 } else { (x % 2) as usize }];
+    let few = held.floats(
+        |x, y, c| {
+            if y == 6 && (7..19).contains(&x) { c * (1.0 + share(x)) } else { c }
+        },
+    );
+    assert_ne!(held.judged(&few, plain()).numbers.interior_off, 0);
+    assert_eq!(held.hinted(&few), None);
 }
 
 #[test]

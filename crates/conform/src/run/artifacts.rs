@@ -74,7 +74,7 @@ fn quoted(word: &str) -> String {
 }
 
 /// Writes the strip of reference, difference and actual picture, as the fixture
-/// encodes its own, and the actual one linear.
+/// encodes its own, and the actual one linear; where the strip is.
 ///
 /// # Errors
 /// Files that cannot be written.
@@ -82,7 +82,7 @@ pub(super) fn write_strip(
     folder: &Path,
     subject: &Subject,
     evidence: &Evidence,
-) -> Result<(), StoreError> {
+) -> Result<PathBuf, StoreError> {
     let path = strip_path(folder, &subject.name);
     let failed = |what: String| StoreError { path: path.clone(), what };
     let actual = encode(&evidence.actual, subject.fixture.transfer);
@@ -90,7 +90,8 @@ pub(super) fn write_strip(
     let strip = strip_of(("reference", Some(&subject.rendered.encoded)), &actual);
     store::write(&path, &golden::to_png(&strip, None).map_err(failed)?)?;
     let exr = picture_file::to_exr(&evidence.actual).map_err(failed)?;
-    store::write(&path.with_extension("exr"), &exr)
+    store::write(&path.with_extension("exr"), &exr)?;
+    Ok(path)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! `Renderer`: an adapter whose program is there.
 
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -27,6 +28,8 @@ pub struct Renderer {
     programs: &'static [(&'static str, &'static [u8])],
     /// Its adapter's file, if it has one.
     path: Option<PathBuf>,
+    /// Where the programs are that its commands name, by what they are called there.
+    places: BTreeMap<String, String>,
 }
 
 /// Why a renderer cannot be asked, as text for people.
@@ -68,7 +71,8 @@ impl Renderer {
         let info =
             RendererInfo { name: adapter.name.clone(), id: located.id, version: String::new() };
         let (programs, path_of_file) = (located.programs, located.path);
-        let mut renderer = Self { info, adapter, filling, programs, path: path_of_file };
+        let places = BTreeMap::new();
+        let mut renderer = Self { info, adapter, filling, programs, path: path_of_file, places };
         renderer.check_program(&located.label, path)?;
         renderer.info.version = renderer.version(stop)?;
         Ok(renderer)
@@ -104,6 +108,17 @@ impl Renderer {
         self.programs.iter().try_for_each(|(name, bytes)| store::write(&own.join(name), bytes))
     }
 
+    /// The words with the program's whole path. It is run in another folder, where a path
+    /// from here leads to nothing, and by hand with another `PATH`.
+    pub(super) fn placed(&self, mut words: Vec<String>) -> Vec<String> {
+        if let Some(word) = words.first_mut()
+            && let Some(place) = self.places.get(word)
+        {
+            word.clone_from(place);
+        }
+        words
+    }
+
     /// The command for a scene, in a folder.
     pub(super) fn command(&self, words: &[String], folder: &Path) -> Command {
         let (program, args) = words.split_first().map_or(("", &[][..]), |(p, args)| (p, args));
@@ -116,13 +131,13 @@ impl Renderer {
         command
     }
 
-    fn check_program(&self, label: &str, path: &OsStr) -> Result<(), CannotAsk> {
-        let own_path = self.adapter.env.get("PATH").map_or(path, OsStr::new);
-        for (field, words) in
-            [("command", &self.adapter.command), ("version", &self.adapter.version)]
-        {
-            let Some(word) = words.first() else { continue };
-            let program = word.filled(&self.filling);
+    fn check_program(&mut self, label: &str, path: &OsStr) -> Result<(), CannotAsk> {
+        let own_path = self.adapter.env.get("PATH").map_or(path.to_owned(), Into::into);
+        let fields = [("command", &self.adapter.command), ("version", &self.adapter.version)];
+        let programs = fields
+            .map(|(field, words)| (field, words.first().map(|word| word.filled(&self.filling))));
+        for (field, program) in programs {
+            let Some(program) = program else { continue };
             let is_relative = Path::new(&program).is_relative() && program.contains('/');
             if is_relative {
                 return Err(self.cannot(&format!(
@@ -131,8 +146,12 @@ impl Renderer {
                      {{root}}/... for what is in the suite"
                 )));
             }
-            if find_program(&program, own_path).is_none() {
+            let Some(found) = find_program(&program, &own_path) else {
                 return Err(self.cannot(&format!("there is no program \"{program}\" here")));
+            };
+            // A word is text; a path that is none is left to be looked for once more.
+            if let Some(place) = absolute(&found)?.to_str() {
+                self.places.insert(program, place.to_owned());
             }
         }
         Ok(())
@@ -154,7 +173,7 @@ impl Renderer {
         let words: Vec<_> = self.adapter.version.iter().map(|word| word.filled(&filling)).collect();
         let growth = Some((scratch.folder(), MAX_WRITTEN));
         let bounds = Bounds { time: PATIENCE, growth, stop };
-        let ran = run(&mut self.command(&words, scratch.folder()), &bounds)
+        let ran = run(&mut self.command(&self.placed(words.clone()), scratch.folder()), &bounds)
             .map_err(|error| self.cannot(&format!("\"{}\": {error}", words.join(" "))))?;
         let (stdout, stderr) = (ran.stdout.text(), ran.stderr.text());
         let first = |text: &str| {

@@ -14,7 +14,7 @@ pub use one::ruled_out;
 pub use subject::{NotItself, Subject, subjects};
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -22,7 +22,7 @@ use std::time::Duration;
 use harness::store::{self, StoreError};
 
 use crate::process::Stop;
-use crate::{Conformed, Evidence, FixtureResult, Run};
+use crate::{Conformed, Evidence, FixtureResult, Run, Seen};
 
 /// How a renderer is asked for the pictures of a suite.
 #[derive(Clone, Copy)]
@@ -47,6 +47,10 @@ pub struct Told<'a> {
     pub result: &'a FixtureResult,
     /// How the renderer is asked again by hand; `None` where nothing was kept.
     pub by_hand: Option<String>,
+    /// Where the strip of a picture that fails is: reference, difference, actual.
+    pub strip: Option<PathBuf>,
+    /// What the worst interior pixel shows, where one is off.
+    pub worst_on: Option<Seen>,
 }
 
 /// The name of the record in the folder of a run.
@@ -72,9 +76,9 @@ pub fn run(
             let Some(subject) = subjects.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
             let one = one::render_and_judge(renderer, subject, plan);
             let has_failed = one.is_err();
-            if let Ok(Some(one::Outcome { result, by_hand, .. })) = &one {
-                let by_hand = by_hand.clone();
-                told(&Told { name: &subject.name, result, by_hand });
+            if let Ok(Some(one::Outcome { result, left, .. })) = &one {
+                let one::Left { by_hand, strip, worst_on } = left.clone();
+                told(&Told { name: &subject.name, result, by_hand, strip, worst_on });
             }
             let mut done = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             done.push((subject.name.clone(), one));

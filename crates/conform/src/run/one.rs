@@ -1,6 +1,7 @@
 //! One scene given to a renderer, and what came of it.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use harness::fixture::Fixture;
@@ -8,6 +9,7 @@ use harness::picture_file::Stored;
 use harness::store::{self, Scratch, StoreError};
 use interchange::Feature;
 use interchange::export::{Dialect, Exported, NotWritten, export};
+use scene::format::Shading;
 use tracer::{Size, edges};
 
 use super::artifacts::{Kept, keep, write_strip};
@@ -15,7 +17,7 @@ use super::{Plan, Renderer, Subject};
 use crate::adapter::Adapter;
 use crate::judge::{Allowance, Judged, Levels, Reference, hint, judge};
 use crate::process::{Bounds, Ended, Ran, run};
-use crate::{Evidence, FixtureResult, Outcome as Said};
+use crate::{Evidence, FixtureResult, Numbers, Objects, Outcome as Said, Seen};
 
 /// The most that a renderer may write into its folder, in bytes.
 pub(super) const MAX_WRITTEN: u64 = 2 << 30;
@@ -30,7 +32,15 @@ const MAX_KEPT: usize = 64 << 20;
 pub(super) struct Outcome {
     pub(super) result: FixtureResult,
     pub(super) evidence: Option<Evidence>,
+    pub(super) left: Left,
+}
+
+/// What a failure has left, and shows.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Left {
     pub(super) by_hand: Option<String>,
+    pub(super) strip: Option<PathBuf>,
+    pub(super) worst_on: Option<Seen>,
 }
 
 /// What is said of a run: an outcome, why, and the comparison if there is one.
@@ -68,7 +78,7 @@ pub(super) fn render_and_judge(
         Err(findings) => {
             let verdict = Verdict { outcome: Said::Unsupported, findings, judged: None };
             let result = result(&verdict, Duration::ZERO);
-            return Ok(Some(Outcome { result, evidence: None, by_hand: None }));
+            return Ok(Some(Outcome { result, evidence: None, left: Left::default() }));
         }
     };
     let scratch = Scratch::new()?;
@@ -96,7 +106,7 @@ pub(super) fn render_and_judge(
     };
     let verdict = verdict(renderer, (subject, exported.grid), (&ran, time), picture.as_ref());
     let result = result(&verdict, ran.elapsed);
-    let mut by_hand = None;
+    let mut left = Left::default();
     if verdict.outcome != Said::Pass {
         let output = picture.as_ref().ok().and_then(Option::as_deref);
         let output = output.filter(|bytes| bytes.len() <= MAX_KEPT);
@@ -104,13 +114,21 @@ pub(super) fn render_and_judge(
         let said = printed(&ran);
         let env = &renderer.adapter.env;
         let kept = Kept { files: &exported.files, output, said: &said, words: &words, env };
-        by_hand = Some(keep(plan.folder, &subject.name, &kept)?);
+        left.by_hand = Some(keep(plan.folder, &subject.name, &kept)?);
+        if let Some((judged, evidence)) = &verdict.judged {
+            left.strip = Some(write_strip(plan.folder, subject, evidence)?);
+            left.worst_on = worst_on(&judged.numbers, subject);
+        }
     }
     let evidence = verdict.judged.map(|(_, evidence)| evidence);
-    if let (Some(evidence), Some(_)) = (&evidence, &by_hand) {
-        write_strip(plan.folder, subject, evidence)?;
-    }
-    Ok(Some(Outcome { result, evidence, by_hand }))
+    Ok(Some(Outcome { result, evidence, left }))
+}
+
+/// What the worst of the interior pixels shows that are off, if any is.
+fn worst_on(numbers: &Numbers, subject: &Subject) -> Option<Seen> {
+    let (x, y) = numbers.worst_at.filter(|_| numbers.interior_off > 0)?;
+    let width = subject.fixture.scene.size().width;
+    Objects::of(&subject.fixture).at(y as usize * width as usize + x as usize)
 }
 
 /// Why a renderer by this adapter would not be asked for a fixture's picture, as it asks
@@ -174,9 +192,14 @@ fn words(renderer: &Renderer, subject: &Subject, exported: &Exported) -> Vec<Str
         width: size.width * exported.grid,
         height: size.height * exported.grid,
         samples: subject.fixture.scene.samples().samples_per_pixel(),
+        shading: match subject.fixture.scene_file().shading {
+            Shading::Classic => "classic",
+            Shading::Attenuated => "attenuated",
+            Shading::Radiometric => "radiometric",
+        },
         ..renderer.filling.clone()
     };
-    renderer.adapter.command.iter().map(|word| word.filled(&filling)).collect()
+    renderer.placed(renderer.adapter.command.iter().map(|word| word.filled(&filling)).collect())
 }
 
 /// What is said of a run.

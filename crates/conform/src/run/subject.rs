@@ -35,6 +35,8 @@ pub struct NotItself {
     pub name: String,
     /// What is said of goldray's own picture, and why.
     pub why: String,
+    /// Whether accepting goldray's picture would settle it.
+    pub can_be_blessed: bool,
 }
 
 /// Renders fixtures by goldray, and holds its pictures against their goldens and
@@ -73,13 +75,14 @@ pub fn subjects(
 }
 
 fn subject(suite: &Suite, name: &str) -> Result<Subject, NotItself> {
-    let refused = |why: String| NotItself { name: name.to_owned(), why };
-    let (fixture, rendered) = render_fixture(suite, name).map_err(refused)?;
+    let refused = |why, can_be_blessed| NotItself { name: name.to_owned(), why, can_be_blessed };
+    let (fixture, rendered) = render_fixture(suite, name).map_err(|why| refused(why, false))?;
     let judgment = judge(&fixture, &rendered, &find_golden(&suite.golden_path(name)));
     // How large a golden's file is says nothing of its picture.
     if !matches!(judgment.verdict, Verdict::Match | Verdict::GoldenFileSize) {
         let why = format!("{}: {}", judgment.verdict.words(), judgment.findings.join("; "));
-        return Err(refused(why));
+        let is_settled = judgment.verdict.can_be_blessed() && !judgment.breaks_expectations;
+        return Err(refused(why, is_settled));
     }
     let features = asks(&fixture, &rendered.linear);
     Ok(Subject { name: name.to_owned(), fixture, rendered, features })

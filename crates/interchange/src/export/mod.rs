@@ -19,6 +19,7 @@ use scene::{Assets, SceneFile, Unchecked};
 use serde::{Deserialize, Serialize};
 
 use crate::Feature;
+use crate::feature::features;
 use plain::Plain;
 use text::number;
 
@@ -137,6 +138,23 @@ pub fn export(
     };
     let plain = Plain::new(scene, assets).map_err(NotWritten::Bad)?;
     write(&plain).map_err(NotWritten::Cannot)
+}
+
+/// All that a scene asks of a renderer: what [`features`] reads in its file, and what is
+/// known only when all is in its place and the picture is looked at
+/// ([`Feature::is_seen`]). No other feature is changed by what writers say otherwise: a
+/// group is a group here, also where a dialect opens it.
+///
+/// # Errors
+/// The problems of a scene that makes no sense, or of a file that it names.
+pub fn asks<C>(scene: &SceneFile<C>, assets: &dyn Assets) -> Result<BTreeSet<Feature>, String> {
+    let plain = Plain::new(scene, assets)?;
+    let mut asks = features(scene);
+    asks.extend(plain.asks.iter().filter(|feature| feature.is_seen()));
+    if plain.has_several_lights() {
+        asks.insert(Feature::SeveralLights);
+    }
+    Ok(asks)
 }
 
 #[cfg(test)]

@@ -74,6 +74,6 @@ function differenceLegend() {
     heat.map((color) => swatch(color)),
     ` interior pixels, from just beyond the tolerance to ${count(most)} times it; `,
     swatch(edge),
-    " edge pixels beyond it, which are no failure unless the adapter says so. The ring is around the worst pixel.",
+    " edge pixels beyond it, which are no failure unless the adapter says so. The ring is around the worst pixel. Errors are relative to the brightest channel of goldray's pixel, and where that is darker than a hundredth of white, or of the picture's brightest, to such a hundredth.",
   );
 }

@@ -109,6 +109,12 @@ impl Plain {
         Ok(plain)
     }
 
+    /// Whether more than one light with a place or a direction shines on something. It is
+    /// not among what is asked, as most languages have words for any number.
+    pub(super) fn has_several_lights(&self) -> bool {
+        self.lamps.len() > 1 && self.objects.iter().any(|object| object.look.is_lit())
+    }
+
     /// What is asked for beyond `can`.
     ///
     /// # Errors

@@ -182,3 +182,35 @@ fn round_shapes_may_be_moved_and_turned_and_not_stretched() {
     assert_eq!(p.to_array(), [2.0, 2.0, 0.0]);
     assert_eq!(object.steps.len(), 3);
 }
+
+/// What a scene asks for by its features that only its picture knows, and groups.
+#[track_caller]
+fn all_of(fields: &str, expected: &[Feature]) {
+    let all = crate::export::asks(&read(fields), &assets()).unwrap();
+    let found = all.into_iter().filter(|one| one.is_seen() || *one == Feature::Group);
+    assert_eq!(found.collect::<Vec<_>>(), expected, "{fields}");
+}
+
+#[test]
+fn a_scene_asks_for_what_its_file_says_and_what_its_picture_shows() {
+    use Feature::*;
+    let light = |intensity: &str| format!("Point(position: (0, 0, 9), intensity: {intensity})");
+    let white = light("(1, 1, 1)");
+    let lit = |object: &str, lights: &str| format!("lights: [{lights}], objects: [{object}]");
+    let ball = "Sphere(center: (0, 0, 0), radius: 1)";
+    all_of(&lit(ball, &white), &[]);
+    all_of(&lit(ball, &format!("{white}, {white}")), &[SeveralLights]);
+    // What does not shine, or comes from everywhere, needs no loop over lights; nor does
+    // what shows no light.
+    all_of(&lit(ball, &format!("{white}, {}", light("(0, 0, 0)"))), &[]);
+    all_of(&lit(ball, &format!("{white}, Ambient(intensity: (1, 1, 1))")), &[]);
+    all_of(&format!("show: Normals, {}", lit(ball, &format!("{white}, {white}"))), &[]);
+    let plain = ball.replace("radius: 1", "radius: 1, material: Constant(color: (1, 1, 1))");
+    all_of(&lit(&plain, &format!("{white}, {white}")), &[]);
+    // Groups are opened for writers, and are asked for all the same.
+    let stretched = format!("Group(transform: [Scale(1, 2, 1)], objects: [{ball}])");
+    all_of(&lit(&stretched, &white), &[Group, StretchedRound]);
+    let back = "Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1, \
+                material: BlinnPhong(specular: (1, 0, 0), exponent: 1))";
+    all_of(&lit(back, &white), &[ColoredHighlight, BackSides]);
+}
