@@ -80,6 +80,14 @@ fn usage() {
     check("import in/a.xml --out a.ron --image 3", "320x240");
     check("import in/a.xml --out a.ron --camera Fisheye()", "--camera");
     check("import in/a.xml --out a.ron --within 1", "--compare-to");
+    for within in ["inf", "nan", "1e9", "1.001", "-0.1", "x"] {
+        let args = format!("import in/a.xml --out out/a.ron --compare-to x --within={within}");
+        check(&args, "expected a finite number from 0 to 1");
+    }
+    for pattern in ["{nmae}.png", "{file.png", "{name}{}.png"] {
+        let args = format!("import in/a.xml --out out/a.ron --if-there --compare-to {pattern}");
+        check(&args, "expected {file} or {name}, found {");
+    }
     assert_eq!(files(&tree, "out"), [""; 0]);
 }
 
@@ -216,8 +224,6 @@ fn pictures_are_compared_with_those_that_came_along() {
     let tree = tree(&[("a.xml", BALL)]);
     let run = |more: &[&str]| tree.run(&[&["import", "in/a.xml", "--compare-to"], more].concat());
     run(&["{file}.png"]).expect_code(2).expect("no answer   in/a.xml: expected the picture");
-    let alone = "rendered    in/a.xml: no picture to compare it with";
-    run(&["{file}.png", "--if-there"]).expect_code(0).expect(alone);
     tree.run(&["import", "in/a.xml", "--out", "a.ron"]).expect_code(0);
     tree.run(&["render", "a.ron", "--out", "in/a.xml.png"]).expect_code(0);
     tree.run(&["render", "a.ron", "--out", "in/a_ref.exr"]).expect_code(0);
@@ -238,4 +244,58 @@ fn pictures_are_compared_with_those_that_came_along() {
     tree.write("in/a.xml.png", b"GIF89a");
     run(&["{file}.png"]).expect_code(2).expect("is neither a PNG nor an EXR");
     run(&["{file}.png", "--if-there"]).expect_code(2).expect("is neither a PNG nor an EXR");
+}
+
+#[test]
+fn pictures_may_be_missing_beside_some_files_but_not_beside_all() {
+    let lossy = with("<fog/>");
+    let tree = tree(&[("a.xml", BALL), ("b.xml", BALL), ("c.xml", &lossy)]);
+    let run = |files: &[&str]| {
+        let compare = ["--compare-to", "{name}.exr", "--compare-to", "{file}.png", "--if-there"];
+        tree.run(&[&["import"], files, &compare].concat())
+    };
+    let alone = "rendered    in/a.xml: no picture to compare it with";
+    let none = |n: &str| {
+        format!(
+            "no answer   --compare-to {{name}}.exr, {{file}}.png: expected a picture beside one \
+             FILE or more, found none beside {n}"
+        )
+    };
+    run(&["in/a.xml"]).expect_code(2).expect(alone).expect(&none("1 FILE:"));
+    run(&["in/a.xml", "in/b.xml"]).expect_code(2).expect(&none("2 FILEs:"));
+    run(&["in/a.xml", "in/c.xml"]).expect_code(2).expect("refused").expect(&none("1 FILE:"));
+    tree.run(&["import", "in/b.xml", "--out", "b.ron"]).expect_code(0);
+    tree.run(&["render", "b.ron", "--out", "in/b.xml.png"]).expect_code(0);
+    let ran = run(&["in/a.xml", "in/b.xml"]).expect_code(0).expect(alone);
+    let stdout = ran.expect("agrees      in/b.xml").stdout();
+    assert!(!stdout.contains("no answer"), "{stdout}");
+    run(&["in/a.xml", "in/b.xml", "in/c.xml"]).expect_code(1);
+    // One that differs was compared.
+    tree.write("in/b.xml", BALL.replace("<shader", "<radius>1.05</radius><shader").as_bytes());
+    run(&["in/a.xml", "in/b.xml"]).expect_code(1).expect(alone).expect("differs     in/b.xml");
+}
+
+#[test]
+fn a_picture_that_cannot_be_looked_for_is_not_missing() {
+    let tree = tree(&[("a.xml", BALL), ("b.xml", BALL), ("folder/x", "")]);
+    tree.run(&["import", "in/b.xml", "--out", "b.ron"]).expect_code(0);
+    tree.run(&["render", "b.ron", "--out", "in/b.png"]).expect_code(0);
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("nothing", tree.path("in/link")).unwrap();
+    let mut cases = vec![
+        ("none/{name}.png", "in/none: there is no such folder"),
+        ("b.xml/{name}.png", "in/b.xml: is no folder"),
+        ("folder", "in/folder: is no file"),
+    ];
+    if cfg!(unix) {
+        cases.push(("link", "in/link: is a link to nothing"));
+    }
+    for (pattern, expected) in cases {
+        // Even where another pattern would be there, which may ask for less.
+        let patterns = ["--compare-to", pattern, "--compare-to", "b.png"];
+        let args = [&["import", "in/a.xml"], &patterns[..]].concat();
+        let said = format!("no answer   in/a.xml: expected a picture, {expected}");
+        tree.run(&args).expect_code(2).expect(&said);
+        tree.run(&[&args[..], &["--if-there"]].concat()).expect_code(2).expect(&said);
+    }
 }

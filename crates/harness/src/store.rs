@@ -12,6 +12,7 @@ mod scratch;
 mod stamp;
 #[cfg(test)]
 mod tests;
+mod there;
 
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
@@ -27,6 +28,7 @@ pub use folder_assets::FolderAssets;
 pub use processes::processes_with;
 pub use scratch::Scratch;
 pub use stamp::{Found, Stamp, stamps};
+pub use there::is_there;
 
 /// Something that could not be read or written.
 #[derive(Debug, thiserror::Error)]

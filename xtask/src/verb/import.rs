@@ -1,6 +1,7 @@
 //! `import`: scenes of other programs, as scene files.
 
 mod compare;
+mod pattern;
 mod place;
 
 use std::collections::BTreeSet;
@@ -64,21 +65,30 @@ const MAX_BYTES: u64 = 256 << 20;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Verdict {
     Done,
+    /// Rendered, where the file has no picture and need have none.
+    Alone,
     Refused,
+    Differs,
     Unreadable,
 }
 
 pub(crate) fn run(here: &Here, args: &Args) -> Result<Answer, CannotAsk> {
     let places = places(args)?;
     let wishes = Wishes { camera: args.camera, image: args.image, shading: args.shading };
-    let (mut worst, mut ours) = (Verdict::Done, BTreeSet::new());
+    let (mut verdicts, mut ours) = (Vec::new(), BTreeSet::new());
     for (file, place) in args.files.iter().zip(&places) {
-        worst = worst.max(one(here, (args, &wishes), (file, place.as_ref()), &mut ours));
+        verdicts.push(one(here, (args, &wishes), (file, place.as_ref()), &mut ours));
     }
-    Ok(match worst {
-        Verdict::Done => Answer::Yes,
-        Verdict::Refused => Answer::No,
-        Verdict::Unreadable => Answer::Code(2),
+    let alone = verdicts.iter().filter(|&&one| one == Verdict::Alone).count();
+    let is_uncompared = |one: &Verdict| matches!(one, Verdict::Alone | Verdict::Refused);
+    if alone > 0 && verdicts.iter().all(is_uncompared) {
+        println!("no answer   {}", args.compare.none_found(alone));
+        return Ok(Answer::Code(2));
+    }
+    Ok(match verdicts.into_iter().max() {
+        None | Some(Verdict::Done | Verdict::Alone) => Answer::Yes,
+        Some(Verdict::Refused | Verdict::Differs) => Answer::No,
+        Some(Verdict::Unreadable) => Answer::Code(2),
     })
 }
 
@@ -164,7 +174,7 @@ fn one(
     match found {
         Ok(Compared::Alone) => {
             println!("rendered    {label}: no picture to compare it with{without}");
-            Verdict::Done
+            Verdict::Alone
         }
         Ok(Compared::Apart(distance)) if distance.is_within(args.compare.allowed()) => {
             println!("agrees      {label}: {distance}{without}");
@@ -172,7 +182,7 @@ fn one(
         }
         Ok(Compared::Apart(distance)) => {
             println!("differs     {label}: {distance}{without}");
-            Verdict::Refused
+            Verdict::Differs
         }
         Err(why) => {
             println!("no answer   {label}: {why}");

@@ -234,7 +234,7 @@ fn verdict(
         Err(why) => Err(why.clone()),
     };
     let meaning = renderer.adapter.meaning;
-    let bad = |why: String| Verdict::because(Said::BadPicture, format!("{output} {why}"));
+    let bad = |why: String| Verdict::because(Said::BadPicture, format!("{output}: {why}"));
     let stored = match stored {
         Ok(stored) => stored,
         Err(why) => return bad(why),

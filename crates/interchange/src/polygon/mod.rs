@@ -22,7 +22,8 @@ use ring::Ring;
 /// Why a polygon is not cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Problem {
-    /// It has no area: fewer than three corners, or all on one line.
+    /// It has no area: fewer than three corners, all on one line, or a way there and
+    /// back again.
     NoArea,
     /// The edges that begin at these corners, from 0, go right through each other.
     Crossing(usize, usize),
@@ -81,6 +82,8 @@ impl Cutter {
     /// its first corner. One that touches itself is cut as well, as where a
     /// bridge leads to a hole. Corners need not be in a plane: the polygon is
     /// what it is as seen along an axis, the one that its normal is nearest to.
+    /// One without a normal, as its parts cancel, is seen from where they are
+    /// largest.
     ///
     /// # Errors
     /// See [`Problem`].
@@ -92,16 +95,25 @@ impl Cutter {
         if ring.len() < 3 {
             return Err(Problem::NoArea);
         }
-        let points = flattened(corners, &ring).ok_or(Problem::NoArea)?;
-        if is_convex(&points) {
-            return Ok((2..ring.len()).map(|i| [ring[0], ring[i - 1], ring[i]]).collect());
+        self.own = LOOKS.saturating_mul(ring.len() as u64);
+        for axis in axes(corners) {
+            let points = flattened(corners, &ring, axis);
+            if is_straight(&points) {
+                continue;
+            }
+            if is_convex(&points) {
+                return Ok((2..ring.len()).map(|i| [ring[0], ring[i - 1], ring[i]]).collect());
+            }
+            // Before the area, as parts on both sides of a crossing may cancel.
+            if let Some((a, b)) = self.crossing(&points)? {
+                return Err(Problem::Crossing(ring[a], ring[b]));
+            }
+            let triangles = self.clip(&points)?;
+            if !triangles.is_empty() {
+                return Ok(triangles.into_iter().map(|corners| corners.map(|i| ring[i])).collect());
+            }
         }
-        self.own = LOOKS.saturating_mul(points.len() as u64);
-        if let Some((a, b)) = self.crossing(&points)? {
-            return Err(Problem::Crossing(ring[a], ring[b]));
-        }
-        let triangles = self.clip(&points)?;
-        Ok(triangles.into_iter().map(|corners| corners.map(|i| ring[i])).collect())
+        Err(Problem::NoArea)
     }
 
     fn spend(&mut self, looks: u64) -> Result<(), Problem> {
@@ -178,10 +190,9 @@ impl Cutter {
     }
 }
 
-/// Whether a polygon covers anything from any side.
-pub fn has_area(corners: &[DVec3]) -> bool {
-    let ring = without_repetitions(corners);
-    ring.len() > 2 && flattened(corners, &ring).is_some()
+/// Whether a triangle covers anything from any side.
+pub fn has_area(triangle: &[DVec3; 3]) -> bool {
+    (0..3).any(|axis| !is_straight(&flattened(triangle, &[0, 1, 2], axis)))
 }
 
 /// How far the corner farthest from a polygon's plane is off it, in shares of
@@ -217,27 +228,41 @@ fn without_repetitions(corners: &[DVec3]) -> Vec<usize> {
     ring
 }
 
-/// The corners with one coordinate left out, so that they go counter-clockwise;
-/// `None` where they have no area from any side.
-fn flattened(corners: &[DVec3], ring: &[usize]) -> Option<Vec<Point>> {
-    let normal = newell(corners).abs().to_array();
+/// The axes, from the one that a polygon is best seen along.
+fn axes(corners: &[DVec3]) -> [usize; 3] {
+    /// A normal that is shorter than this share of what it is the sum of may be
+    /// what rounding to `f32` left where the parts cancel.
+    const NOISE: f64 = 1e-6;
+    let first = corners.first().copied().unwrap_or_default();
+    let parts = corners.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first).abs());
+    let parts: DVec3 = parts.sum();
+    let normal = newell(corners).abs();
+    let is_noise = normal.max_element() <= NOISE * parts.max_element();
+    let along = if is_noise { parts } else { normal }.to_array();
     let mut axes = [2, 1, 0];
-    axes.sort_by(|&a, &b| normal[b].total_cmp(&normal[a]));
-    axes.into_iter().find_map(|axis| {
-        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
-        let mut points: Vec<Point> = ring.iter().map(|&i| [corners[i][x], corners[i][y]]).collect();
-        to_size(&mut points);
-        match orientation(&points) {
-            Ordering::Greater => Some(points),
-            Ordering::Less => {
-                for point in &mut points {
-                    point.reverse();
-                }
-                Some(points)
-            }
-            Ordering::Equal => None,
+    axes.sort_by(|&a, &b| along[b].total_cmp(&along[a]));
+    axes
+}
+
+/// The corners with one coordinate left out, so that they go counter-clockwise
+/// where they go around more of one way than of the other.
+fn flattened(corners: &[DVec3], ring: &[usize], axis: usize) -> Vec<Point> {
+    let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut points: Vec<Point> = ring.iter().map(|&i| [corners[i][x], corners[i][y]]).collect();
+    to_size(&mut points);
+    if orientation(&points).is_lt() {
+        for point in &mut points {
+            point.reverse();
         }
-    })
+    }
+    points
+}
+
+/// Whether all points are on one line.
+fn is_straight(points: &[Point]) -> bool {
+    let Some(&a) = points.first() else { return true };
+    let Some(&b) = points.iter().find(|&&b| b != a) else { return true };
+    points.iter().all(|&c| turn(a, b, c).is_eq())
 }
 
 /// Whether a polygon turns left at every corner and goes around once.

@@ -101,7 +101,8 @@ fn what_cannot_be_cut_is_a_problem() {
     check_problem(&[[0.0, 0.0]; 5], Problem::NoArea);
     check_problem(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]], Problem::NoArea);
     check_problem(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0]], Problem::NoArea);
-    check_problem(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], Problem::NoArea);
+    // There and back again, around a corner.
+    check_problem(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [1.0, 0.0]], Problem::NoArea);
     check_problem(&[[0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [0.0, 2.0]], Problem::Crossing(0, 2));
     // Numbered as they are written; of repetitions the first.
     let twice = [[0.0, 0.0], [0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [3.0, 0.0], [0.0, 2.0]];
@@ -112,6 +113,34 @@ fn what_cannot_be_cut_is_a_problem() {
     // Two triangles that meet in a corner, around opposite ways.
     let eight = [[0.0, 0.0], [3.0, -1.0], [3.0, 1.0], [0.0, 0.0], [-2.0, -1.0], [-2.0, 1.0]];
     check_problem(&eight, Problem::Tangled);
+}
+
+#[test]
+fn halves_that_cancel_are_no_polygon_without_area() {
+    let bow = [[-1.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0]];
+    check_problem(&bow, Problem::Crossing(0, 2));
+    // Where the halves meet in corners no edges go through each other.
+    let eight = [[0.0, 0.0], [3.0, -1.0], [3.0, 1.0], [0.0, 0.0], [-3.0, -1.0], [-3.0, 1.0]];
+    check_problem(&eight, Problem::Tangled);
+    // What a file's rounding leaves of the normal, or of being flat, is no way to look.
+    let mut rng = fastrand::Rng::with_seed(5);
+    for i in 0..300 {
+        let (sin, cos) = libm::sincos(f64::from(i) * 0.3);
+        let place = |[x, y]: [f64; 2]| {
+            let mut p = [x, y * cos, y * sin];
+            p.rotate_left(i as usize % 3);
+            DVec3::from_array(p.map(|x| f64::from((x + 3e-7 * rng.f64()) as f32)))
+        };
+        let corners: Vec<_> = bow.into_iter().map(place).collect();
+        assert_eq!(Cutter::default().cut(&corners), Err(Problem::Crossing(0, 2)), "{corners:?}");
+    }
+}
+
+#[test]
+fn many_corners_on_one_line_take_no_work() {
+    let mut rng = fastrand::Rng::with_seed(6);
+    let line: Vec<_> = (0..20_000).map(|_| [rng.u32(..).into(); 2]).collect();
+    assert_eq!(Cutter::spent().cut(&in_space(&line, 0)), Err(Problem::NoArea));
 }
 
 #[test]
@@ -326,10 +355,10 @@ fn triangles_turn_as_the_polygon_does() {
 
 #[test]
 fn what_covers_something() {
-    let line = in_space(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], 1);
-    assert!(!has_area(&line) && !has_area(&[]) && !has_area(&[DVec3::NAN; 4]));
-    let bit = [[0.0, 0.0], [1.0, 1.0_f64.next_down()], [2.0, 2.0]];
-    assert!(has_area(&in_space(&bit, 1)));
+    let on = |points: [[f64; 2]; 3]| in_space(&points, 1).try_into().unwrap();
+    assert!(!has_area(&on([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]])));
+    assert!(!has_area(&[DVec3::NAN; 3]) && !has_area(&[DVec3::ONE; 3]));
+    assert!(has_area(&on([[0.0, 0.0], [1.0, 1.0_f64.next_down()], [2.0, 2.0]])));
     assert!(has_area(&[DVec3::ZERO, DVec3::X * 1e100, DVec3::Y * 1e-100]));
 }
 

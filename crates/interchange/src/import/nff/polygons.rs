@@ -145,12 +145,17 @@ impl Reader<'_> {
         self.report.chose(
             "polygons are seen from both sides; the format lets a renderer show their fronts alone",
         );
-        if !has_area(corners) {
-            self.report.chose("polygons that cover nothing are left out, as nobody sees them");
-            return;
-        }
-        let triangles = match self.polygons.cutter.cut(corners) {
+        let cut = match <&[DVec3; 3]>::try_from(corners) {
+            // The cutter leaves a triangle as it is.
+            Ok(triangle) if !has_area(triangle) => Err(Problem::NoArea),
+            _ => self.polygons.cutter.cut(corners),
+        };
+        let triangles = match cut {
             Ok(triangles) => triangles,
+            Err(Problem::NoArea) => {
+                self.report.chose("polygons that cover nothing are left out, as nobody sees them");
+                return;
+            }
             Err(Problem::Crossing(a, b)) => {
                 let message = format!(
                     "{}: expected a border that does not cross itself, found that the edges from \

@@ -86,6 +86,18 @@ fn problems_are_told_all_at_once() {
     refuses("p -3", &["from 3 to 10000"]);
     refuses("p 3 0 0 0 1 0 0\n", &["10:1: p, number 1 of 3: expected a number, found the end"]);
     refuses("p 4 0 0 0 2 2 0 2 0 0 0 3 0", &["the edges from corner 1 and from corner 3 cross"]);
+    // Its halves are as large as each other and go around opposite ways.
+    refuses(
+        "p 4 -1 -1 0 1 1 0 1 -1 0 -1 1 0",
+        &[
+            "9:1: p: expected a border that does not cross itself, found that the edges from corner 1 \
+           and from corner 3 cross",
+        ],
+    );
+    let bow = "pp 4 -1 -1 0 0 0 1 1 1 0 0 0 1 1 -1 0 0 0 1 -1 1 0 0 0 1";
+    refuses(bow, &["9:1: pp: expected a border that does not cross itself"]);
+    let eight = "p 6 0 0 0 3 -1 0 3 1 0 0 0 0 -3 -1 0 -3 1 0";
+    refuses(eight, &["9:1: p: expected a border with an inside"]);
     refuses("pp 3 0 0 0 0 0 0 1 0 0 0 0 1 0 1 0 0 0 1", &["found one of length 0"]);
     refuses("p 3 0 0 0 1e300 0 0 0 1e300 0", &["9:1: p: `b`", "9:1: p: `c`"]);
     let many = "s 0 0 0 1\n".repeat(110_000);
@@ -219,6 +231,7 @@ fn shapes_become_objects() {
     let (x, y, xy) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]);
     check("p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n", &[triangle(x, xy), triangle(xy, y)]);
     check("p 3 0 0 0 1 1 1 2 2 2", &[]);
+    check("p 4 0 0 0 2 2 2 1 1 1 3 3 3", &[]);
 }
 
 #[test]

@@ -148,6 +148,10 @@ fn what_is_lost_is_said() {
     assert!(imported.chosen[0].contains("nothing of quality"), "{:?}", imported.chosen);
     let two = SQUARE.replace("element face 1", "element face 2") + "2 0 1\n";
     assert!(lost(&import(two.as_bytes()).unwrap()).contains("`face`: a polygon that has no area"));
+    let bow = SQUARE.replace("element face 1", "element face 2") + "4 0 2 1 3\n";
+    assert!(
+        lost(&import(bow.as_bytes()).unwrap()).contains("`face`: a polygon that crosses itself")
+    );
 }
 
 #[test]
