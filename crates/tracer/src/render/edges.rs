@@ -104,12 +104,12 @@ fn pixel(scene: &Scene, rows: &[Vec<Vec<AtEdge>>], (i, j): (u32, u32)) -> Option
         return None;
     }
     let count = scene.samples().samples_per_pixel();
-    let density = |(x, y): (u32, u32), [right, up]: [f64; 2]| match reach {
-        0 => 1.0,
-        _ => {
-            let away = |from: u32, to: u32| f64::from(from) - f64::from(to);
-            filter.density(away(x, i) + right) * filter.density(away(y, j) + up)
+    let density = |(x, y): (u32, u32), [right, up]: [f64; 2]| {
+        if reach == 0 {
+            return 1.0;
         }
+        let away = |from: u32, to: u32| f64::from(from) - f64::from(to);
+        filter.density(away(x, i) + right) * filter.density(away(y, j) + up)
     };
     let (mut all, mut found) = (0.0, Around::NONE);
     for place in near() {

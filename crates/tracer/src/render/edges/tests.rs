@@ -85,12 +85,6 @@ fn what_an_edge_shows_is_between_both_sides() {
 
 #[test]
 fn what_an_edge_shows_is_of_its_samples_alone() {
-    let around = |x: f64, samples: u32, filter: Filter, column: usize| {
-        let samples = Samples::grid(samples).unwrap();
-        let lit = vec![Light::ambient(Rgb::new(0.25, 0.25, 0.5)).unwrap()];
-        let parts = SceneParts { samples, filter, ..parts(vec![square(x)], lit) };
-        edges(&Scene::new(parts).unwrap(), REACH)[16 * 3 + column]
-    };
     #[track_caller]
     fn check(found: Option<Around>, weight: f64, [low, high]: [f64; 2]) {
         let found = found.unwrap();
@@ -98,6 +92,12 @@ fn what_an_edge_shows_is_of_its_samples_alone() {
         assert!((found.low.b - low).abs() < 1e-12 && (found.high.b - high).abs() < 1e-12);
         assert!((found.here.b - low).abs() < 1e-12 || (found.here.b - high).abs() < 1e-12);
     }
+    let around = |x: f64, samples: u32, filter: Filter, column: usize| {
+        let samples = Samples::grid(samples).unwrap();
+        let lit = vec![Light::ambient(Rgb::new(0.25, 0.25, 0.5)).unwrap()];
+        let parts = SceneParts { samples, filter, ..parts(vec![square(x)], lit) };
+        edges(&Scene::new(parts).unwrap(), REACH)[16 * 3 + column]
+    };
     // Of four columns of samples in pixel 8 the second is at 0.09375.
     check(around(0.0938, 16, Filter::BOX, 8), 0.25, [0.0, 0.25]);
     // A tent of two pixels: the one sample of pixel 8 counts a half there, and a quarter beside.
