@@ -3,7 +3,7 @@
 
 use scene::format::{Falloff, Object, Shading};
 use tracer::glam::DVec3;
-use tracer::{Hit, Interval, Ray, Scene, UnitVec, pixel_center, rays_sent_on};
+use tracer::{Hit, Interval, Projection, Ray, Scene, UnitVec, pixel_center, rays_sent_on};
 
 use super::look::brightest;
 use super::within::is_within;
@@ -14,11 +14,16 @@ use crate::Feature;
 pub(super) fn note(plain: &mut Plain, scene: &Scene) {
     let (width, height) = (plain.size.0 * plain.grid, plain.size.1 * plain.grid);
     let camera = plain.camera;
+    let is_parallel = matches!(camera.projection(), Projection::Parallel);
     for j in 0..height {
         let b = pixel_center(j, height, camera.view_height());
         for i in 0..width {
             let ray = camera.ray(pixel_center(i, width, camera.view_width()), b);
-            let inside = glass_around(plain, ray.origin);
+            let mut inside = glass_around(plain, ray.origin);
+            // Rays that start in many places may be taken to start in one.
+            if is_parallel && !(inside.is_empty() && glass_around(plain, camera.eye()).is_empty()) {
+                inside = vec![NONE];
+            }
             follow(plain, scene, &ray, plain.bounces, &inside);
         }
     }
@@ -39,7 +44,7 @@ fn glass_around(plain: &mut Plain, point: DVec3) -> Vec<usize> {
     let mut around: Vec<_> = all.filter(|(_, object)| is_within(object, point)).collect();
     match &mut around[..] {
         all if !all.iter().any(|(_, object)| has_index(object)) => Vec::new(),
-        [(number, object)] => {
+        [(number, object)] if !matches!(object.shape, Object::Disk { .. }) => {
             object.holds_eye = true;
             vec![*number]
         }

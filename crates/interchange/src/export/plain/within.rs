@@ -1,5 +1,5 @@
 //! Whether a point is within a shape: shapes with a surface all around have an
-//! inside, and planes and disks have one behind them, without end.
+//! inside, and planes have one behind them, without end.
 
 use scene::format::Object;
 use tracer::glam::DVec3;
@@ -18,9 +18,9 @@ pub(super) fn is_within(object: &Placed, p: DVec3) -> bool {
     match object.shape {
         Object::Sphere { center, radius, .. } => p.distance(vector(center)) < radius,
         Object::Box { min, max, .. } => p.cmpgt(vector(min)).all() && p.cmplt(vector(max)).all(),
-        Object::Plane { point, normal, .. } | Object::Disk { center: point, normal, .. } => {
-            (p - vector(point)).dot(vector(normal)) < 0.0
-        }
+        Object::Plane { point, normal, .. } => (p - vector(point)).dot(vector(normal)) < 0.0,
+        // Of no thickness, and yet some have one behind them, but no farther than this.
+        Object::Disk { center, radius, .. } => p.distance(vector(center)) < radius,
         Object::Torus { center, axis, major_radius, minor_radius, .. } => {
             let axis = vector(axis).normalize_or_zero();
             let (along, square) = about(vector(center), axis);

@@ -181,13 +181,15 @@ fn glass_that_was_not_entered_is_asked_for_where_it_is_left() {
     behind("Triangle(a: (-1, -1, 0), b: (1, -1, 0), c: (0, 1, 0), glass)", false);
     behind("Triangle(a: (-1, -1, 0), b: (0, 1, 0), c: (1, -1, 0), glass)", true);
     behind("Sphere(center: (0, 0, 0), radius: 1, glass)", false);
+    // A disk has no inside, be the eye far from it or near.
+    behind("Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1, glass)", true);
+    behind("Disk(center: (0, 0, 4.5), normal: (0, 0, -1), radius: 1, glass)", true);
     // The eye is in it, or behind it, and in nothing else.
     let around = |more: &str| {
         [
             "Sphere(center: (0, 0, 4), radius: 2, glass)",
             "Box(min: (-1, -1, 4), max: (1, 1, 6), glass)",
             "Plane(point: (0, 0, 0), normal: (0, 0.1, -1), glass)",
-            "Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1, glass)",
             "Cylinder(a: (0, 0, 4), b: (0, 0, 6), radius: 1, glass)",
             "Cone(apex: (0, 0, 8), base: (0, 0, 4), radius: 2, glass)",
             "Torus(center: (3, 0, 5), axis: (0, 1, 0), major_radius: 3, minor_radius: 1, glass)",
@@ -199,6 +201,9 @@ fn glass_that_was_not_entered_is_asked_for_where_it_is_left() {
     for object in around("") {
         behind(object.trim_end_matches(", "), false);
     }
+    let parallel = "camera: Parallel(view_point: (0, 0, 5), view_width: 8, view_height: 6)";
+    let ball = "objects: [Sphere(center: (0, 0, 4), radius: 2, material: Dielectric(ior: 1.5))]";
+    asks(&format!("{ball}, {parallel}"), Feature::GlassFromBehind, true);
     for object in around("Plane(point: (0, 0, 9), normal: (0, 0, 1))") {
         behind(&object, true);
     }
