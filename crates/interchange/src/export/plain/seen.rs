@@ -24,6 +24,9 @@ pub(super) fn note(plain: &mut Plain, scene: &Scene) {
             if is_parallel && !(inside.is_empty() && glass_around(plain, camera.eye()).is_empty()) {
                 inside = vec![NONE];
             }
+            if let Some(object) = inside.first().and_then(|&number| plain.objects.get_mut(number)) {
+                object.holds_eye = true;
+            }
             follow(plain, scene, &ray, plain.bounces, &inside);
         }
     }
@@ -35,19 +38,16 @@ const NONE: usize = usize::MAX;
 /// The object of glass, or with a glaze, that a point is in and in no other. A renderer
 /// that is told only what is inside of what cannot know which one counts where there are
 /// several, be the others of glass or not.
-fn glass_around(plain: &mut Plain, point: DVec3) -> Vec<usize> {
+fn glass_around(plain: &Plain, point: DVec3) -> Vec<usize> {
     let has_index = |object: &Placed| object.way.is_some_and(|way| way.index().is_some());
     if !plain.objects.iter().any(has_index) {
         return Vec::new();
     }
-    let all = plain.objects.iter_mut().enumerate();
-    let mut around: Vec<_> = all.filter(|(_, object)| is_within(object, point)).collect();
-    match &mut around[..] {
+    let all = plain.objects.iter().enumerate();
+    let around: Vec<_> = all.filter(|(_, object)| is_within(object, point)).collect();
+    match &around[..] {
         all if !all.iter().any(|(_, object)| has_index(object)) => Vec::new(),
-        [(number, object)] if !matches!(object.shape, Object::Disk { .. }) => {
-            object.holds_eye = true;
-            vec![*number]
-        }
+        [(number, object)] if !matches!(object.shape, Object::Disk { .. }) => vec![*number],
         _ => vec![NONE],
     }
 }
