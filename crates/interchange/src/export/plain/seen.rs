@@ -5,7 +5,7 @@ use scene::format::{Falloff, Object, Shading};
 use tracer::glam::DVec3;
 use tracer::{Hit, Interval, Projection, Ray, Scene, UnitVec, pixel_center, rays_sent_on};
 
-use super::look::brightest;
+use super::look::{Way, brightest};
 use super::within::is_within;
 use super::{Lamp, Look, Placed, Plain};
 use crate::Feature;
@@ -66,12 +66,17 @@ fn follow(plain: &mut Plain, scene: &Scene, ray: &Ray, left: u32, inside: &[usiz
     let leaves = is_outward(ray);
     let all = rays_sent_on(ray, &hit);
     let goes_through = |onward: &Ray| is_outward(onward) == leaves;
+    let counts = |&number: &usize| {
+        let way = plain.objects.get(number).and_then(|object| object.way);
+        way.and_then(Way::index) != Some(1.0)
+    };
     let mut ask = |asked: bool, feature| {
         if asked {
             plain.of_glass.insert(feature);
         }
     };
-    let is_met_within = !leaves && way.index().is_some() && !inside.is_empty();
+    // Within an index of 1 an index is what it is outside.
+    let is_met_within = !leaves && way.index().is_some() && inside.iter().any(counts);
     ask(is_met_within, Feature::NestedGlass);
     let is_new = leaves && way.is_clear() && !inside.contains(&number);
     ask(is_new, Feature::GlassFromBehind);

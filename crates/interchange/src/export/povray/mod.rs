@@ -85,9 +85,8 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     if has_highlights && plain.shading == Shading::Radiometric {
         return Err([Feature::BlinnPhong, Feature::Radiometric].into());
     }
-    let has_shadows = plain.shadows
-        && !plain.lamps.is_empty()
-        && plain.objects.iter().any(|object| object.look.is_lit());
+    // What is lit is lit by lamps.
+    let has_shadows = plain.shadows && plain.objects.iter().any(|object| object.look.is_lit());
     let mut files = BTreeMap::new();
     let mut text = head(plain);
     for lamp in &plain.lamps {

@@ -152,6 +152,9 @@ fn glass_in_glass_is_asked_for_where_rays_meet_it() {
     nested(glass, "Glazed(ior: 1.5, schlick: true)", false);
     nested(glass, "Whitted(reflect: (0.5, 0.5, 0.5))", false);
     nested(glass, "Mirror()", false);
+    // An index counts from what is around, and from 1 as if nothing were.
+    nested(glass, "Dielectric(ior: 1)", true);
+    nested("Dielectric(ior: 1)", glass, false);
     // These let nothing in.
     nested("Glazed(ior: 1.5)", glass, false);
     nested("Whitted(ior: 1.5)", glass, false);
