@@ -16,11 +16,12 @@ pub(super) fn is_within(object: &Placed, p: DVec3) -> bool {
         (along, (p - from - along * axis).length_squared())
     };
     match object.shape {
-        Object::Sphere { center, radius, .. } => p.distance(vector(center)) < radius,
+        // A disk has no thickness, and yet some have one behind them, but no farther than this.
+        Object::Sphere { center, radius, .. } | Object::Disk { center, radius, .. } => {
+            p.distance(vector(center)) < radius
+        }
         Object::Box { min, max, .. } => p.cmpgt(vector(min)).all() && p.cmplt(vector(max)).all(),
         Object::Plane { point, normal, .. } => (p - vector(point)).dot(vector(normal)) < 0.0,
-        // Of no thickness, and yet some have one behind them, but no farther than this.
-        Object::Disk { center, radius, .. } => p.distance(vector(center)) < radius,
         Object::Torus { center, axis, major_radius, minor_radius, .. } => {
             let axis = vector(axis).normalize_or_zero();
             let (along, square) = about(vector(center), axis);
