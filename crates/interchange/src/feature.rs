@@ -99,6 +99,16 @@ features! {
         Glazed,
         /// Schlick's law for what is reflected.
         Schlick,
+        /// Glass or a glaze that is met within other glass. Only writers of scenes
+        /// ask for it, who look at the picture for it.
+        NestedGlass,
+        /// Glass that is met from behind by a ray that has not entered it, unless the
+        /// eye is in it and in nothing else. Only writers of scenes ask for it, who look at
+        /// the picture for it.
+        GlassFromBehind,
+        /// Total reflection by Whitted's sum. Only writers of scenes ask for it, who
+        /// look at the picture for it.
+        TotalReflection,
     }
     "textures": {
         /// Two colors by turns.

@@ -44,6 +44,6 @@ pub use mesh::{MeshData, is_mesh, read as read_mesh};
 pub use places::{Place, object_places};
 pub use read::read;
 pub use report::report;
-pub use texture::{is_texture, without_alpha};
+pub use texture::{as_rgb, is_texture, without_alpha};
 pub use visible::{is_invisible, visible};
 pub use write::write;

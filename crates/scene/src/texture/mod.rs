@@ -52,5 +52,17 @@ pub fn without_alpha(bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
     png::write(&picture).map(Some).map_err(|why| format!("cannot be written without alpha: {why}"))
 }
 
+/// A PNG file with the same colors and nothing else, and its width and height: three
+/// channels of 8 or 16 bits, without alpha and what a file says about its own colors,
+/// for programs that heed it or read gray and palettes otherwise.
+///
+/// # Errors
+/// Why the file is no texture, as the end of a sentence that starts with its name.
+pub fn as_rgb(bytes: &[u8]) -> Result<(Vec<u8>, [u32; 2]), String> {
+    let picture = png::read(bytes)?;
+    let written = png::write(&picture).map_err(|why| format!("cannot be written as RGB: {why}"))?;
+    Ok((written, [picture.size.width, picture.size.height]))
+}
+
 #[cfg(test)]
 mod tests;

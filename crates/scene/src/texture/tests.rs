@@ -99,6 +99,26 @@ fn alpha_is_taken_off_and_colors_stay() {
 }
 
 #[test]
+fn every_kind_of_file_becomes_rgb_of_as_many_bits() {
+    use BitDepth::{Eight, Four, Sixteen};
+    use ColorType::{Grayscale, Indexed, Rgb};
+    #[track_caller]
+    fn check(color: ColorType, depth: BitDepth, data: &[u8], rgb: &[u8], rgb_depth: BitDepth) {
+        let (written, size) = as_rgb(&file((2, 1), color, depth, data)).unwrap();
+        let mut reader = ::png::Decoder::new(std::io::Cursor::new(written)).read_info().unwrap();
+        let mut found = vec![0; reader.output_buffer_size().unwrap()];
+        let frame = reader.next_frame(&mut found).unwrap();
+        assert_eq!((frame.color_type, frame.bit_depth, size), (Rgb, rgb_depth, [2, 1]));
+        assert_eq!(found, rgb, "{color:?} {depth:?}");
+    }
+    check(Grayscale, Eight, &[7, 9], &[7, 7, 7, 9, 9, 9], Eight);
+    check(Grayscale, Four, &[0x1f], &[17, 17, 17, 255, 255, 255], Eight);
+    check(Indexed, Eight, &[1, 0], &[255, 128, 0, 0, 0, 0], Eight);
+    check(Grayscale, Sixteen, &[1, 2, 3, 4], &[1, 2, 1, 2, 1, 2, 3, 4, 3, 4, 3, 4], Sixteen);
+    assert!(as_rgb(b"GIF89a").unwrap_err().contains("is not a readable PNG file"));
+}
+
+#[test]
 fn a_size_that_is_only_claimed_takes_no_memory() {
     // Its header says 2^31 - 1 by 2^31 - 1 texels, with a good checksum.
     let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff".to_vec();

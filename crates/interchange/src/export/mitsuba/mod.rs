@@ -43,6 +43,8 @@ const CAN: &[Feature] = &[
     Feature::ColoredHighlight,
     Feature::Mirror,
     Feature::Dielectric,
+    Feature::NestedGlass,
+    Feature::GlassFromBehind,
     Feature::ConstantPointLight,
     Feature::InverseSquarePointLight,
     Feature::DirectionalLight,

@@ -117,6 +117,26 @@ impl Way {
         matches!(self, Self::Sum { .. } | Self::Glaze { .. })
     }
 
+    /// Whether rays go through. Light does not in goldray: eye rays do, and those that
+    /// are sent on.
+    pub(in crate::export) fn is_clear(self) -> bool {
+        match self {
+            Self::Glass { .. } => true,
+            Self::Sum { transmit, .. } => transmit != [0.0; 3],
+            Self::Mirror { .. } | Self::Glaze { .. } => false,
+        }
+    }
+
+    /// The index of refraction of what is inside, where the picture depends on it: it
+    /// bends rays, or says how much is reflected.
+    pub(in crate::export) fn index(self) -> Option<f64> {
+        match self {
+            Self::Glass { ior, .. } | Self::Glaze { ior, schlick: false } => Some(ior),
+            Self::Sum { ior, .. } if self.is_clear() => Some(ior),
+            Self::Mirror { .. } | Self::Sum { .. } | Self::Glaze { .. } => None,
+        }
+    }
+
     /// What it asks for.
     pub(super) fn asks(self) -> Vec<Feature> {
         let (feature, schlick) = match self {

@@ -13,6 +13,7 @@ mod look;
 mod place;
 mod seen;
 mod solid;
+mod within;
 
 pub(super) use look::{Look, Way};
 pub(super) use place::Placed;
@@ -35,6 +36,16 @@ pub(super) enum Lamp {
     Directional { direction: Triple, intensity: Triple },
 }
 
+/// A texture's file.
+#[derive(Debug)]
+pub(super) struct Picture {
+    /// PNG of three channels that says nothing of its own colors: programs read gray,
+    /// palettes and gamma in ways of their own.
+    pub(super) png: Vec<u8>,
+    /// Its width and height.
+    pub(super) size: [u32; 2],
+}
+
 /// A scene as writers need it.
 #[derive(Debug)]
 pub(super) struct Plain {
@@ -52,10 +63,12 @@ pub(super) struct Plain {
     /// Whether a sample of the picture shows the gap that the convention leaves
     /// before shadows.
     pub(super) needs_gap: bool,
+    /// What rays ask for that go through glass.
+    pub(super) of_glass: BTreeSet<Feature>,
     /// Mesh files by name; those without normals, or shaded flat, keep them all the same.
     pub(super) meshes: BTreeMap<String, MeshData>,
-    /// Texture files by name, as they are.
-    pub(super) textures: BTreeMap<String, Vec<u8>>,
+    /// Texture files by name.
+    pub(super) textures: BTreeMap<String, Picture>,
     /// How many times a ray is sent on.
     pub(super) bounces: u32,
     /// What it asks of a renderer, as it is here.
@@ -80,11 +93,9 @@ impl Plain {
                 meshes.insert(file.clone(), mesh.map_err(|why| format!("mesh \"{file}\" {why}"))?);
             }
             if let Some(Texture::Image { file, .. }) = &object.texture {
-                let bytes = assets.read(file);
-                textures.insert(
-                    file.clone(),
-                    bytes.map_err(|why| format!("texture \"{file}\" {why}"))?,
-                );
+                let picture = assets.read(file).and_then(|bytes| scene::as_rgb(&bytes));
+                let (png, size) = picture.map_err(|why| format!("texture \"{file}\" {why}"))?;
+                textures.insert(file.clone(), Picture { png, size });
             }
         }
         let background = scaled(file.background, exposure);
@@ -99,6 +110,7 @@ impl Plain {
             shading: file.shading,
             shadows: file.shadows,
             needs_gap: false,
+            of_glass: BTreeSet::new(),
             meshes,
             textures,
             bounces: file.bounces,
@@ -137,6 +149,7 @@ impl Plain {
         for object in &self.objects {
             asks.extend(object.asks());
         }
+        asks.extend(&self.of_glass);
         if self.background != [0.0; 3] {
             asks.insert(Feature::Background);
         }

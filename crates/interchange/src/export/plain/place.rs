@@ -27,6 +27,9 @@ pub(in crate::export) struct Placed {
     /// Whether one sees a highlight of a light that is behind the surface, or
     /// on its back.
     pub(in crate::export) glows_from_behind: bool,
+    /// Whether an eye ray starts in it and in nothing else, and it is of glass or
+    /// glazed.
+    pub(in crate::export) holds_eye: bool,
     /// Of a plane: how far from its point the picture or its shadows need it.
     pub(in crate::export) reach: f64,
 }
@@ -159,6 +162,7 @@ fn below<C>(
             way: material.and_then(Way::of),
             back_is_seen: false,
             glows_from_behind: false,
+            holds_eye: false,
             reach: 0.0,
         });
     }

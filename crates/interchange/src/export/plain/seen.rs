@@ -3,34 +3,95 @@
 
 use scene::format::{Falloff, Object, Shading};
 use tracer::glam::DVec3;
-use tracer::{Hit, Interval, Ray, Scene, UnitVec, pixel_center, rays_sent_on};
+use tracer::{Hit, Interval, Projection, Ray, Scene, UnitVec, pixel_center, rays_sent_on};
 
-use super::look::brightest;
-use super::{Lamp, Look, Plain};
+use super::look::{Way, brightest};
+use super::within::is_within;
+use super::{Lamp, Look, Placed, Plain};
+use crate::Feature;
 
 /// Follows the eye rays of all samples, and notes at their objects what is seen.
 pub(super) fn note(plain: &mut Plain, scene: &Scene) {
     let (width, height) = (plain.size.0 * plain.grid, plain.size.1 * plain.grid);
     let camera = plain.camera;
+    let is_parallel = matches!(camera.projection(), Projection::Parallel);
     for j in 0..height {
         let b = pixel_center(j, height, camera.view_height());
         for i in 0..width {
             let ray = camera.ray(pixel_center(i, width, camera.view_width()), b);
-            follow(plain, scene, &ray, plain.bounces);
+            let mut inside = glass_around(plain, ray.origin);
+            // Rays that start in many places may be taken to start in one.
+            if is_parallel && !(inside.is_empty() && glass_around(plain, camera.eye()).is_empty()) {
+                inside = vec![NONE];
+            }
+            if let Some(object) = inside.first().and_then(|&number| plain.objects.get_mut(number)) {
+                object.holds_eye = true;
+            }
+            follow(plain, scene, &ray, plain.bounces, &inside);
         }
     }
 }
 
-/// Notes what a ray sees that may be sent on `left` times more, and what those see.
-fn follow(plain: &mut Plain, scene: &Scene, ray: &Ray, left: u32) {
+/// No object: what cannot be left.
+const NONE: usize = usize::MAX;
+
+/// The object of glass, or with a glaze, that a point is in and in no other. A renderer
+/// that is told only what is inside of what cannot know which one counts where there are
+/// several, be the others of glass or not.
+fn glass_around(plain: &Plain, point: DVec3) -> Vec<usize> {
+    let has_index = |object: &Placed| object.way.is_some_and(|way| way.index().is_some());
+    if !plain.objects.iter().any(has_index) {
+        return Vec::new();
+    }
+    let all = plain.objects.iter().enumerate();
+    let around: Vec<_> = all.filter(|(_, object)| is_within(object, point)).collect();
+    match &around[..] {
+        all if !all.iter().any(|(_, object)| has_index(object)) => Vec::new(),
+        [(number, object)] if !matches!(object.shape, Object::Disk { .. }) => vec![*number],
+        _ => vec![NONE],
+    }
+}
+
+/// Notes what a ray sees that may be sent on `left` times more, and what those see; it
+/// is inside of these objects of glass.
+fn follow(plain: &mut Plain, scene: &Scene, ray: &Ray, left: u32, inside: &[usize]) {
     let Some(hit) = scene.world().intersect(ray, Interval::AHEAD) else { return };
     note_hit(plain, scene, ray, &hit);
-    let object = plain.objects.get(hit.object.0 as usize);
-    if left == 0 || object.is_none_or(|object| object.way.is_none()) {
+    let number = hit.object.0 as usize;
+    let Some(way) = plain.objects.get(number).and_then(|object| object.way) else { return };
+    if left == 0 {
         return;
     }
-    for onward in rays_sent_on(ray, &hit) {
-        follow(plain, scene, &onward, left - 1);
+    let is_outward = |ray: &Ray| hit.geometric_normal.dot(ray.direction) > 0.0;
+    let leaves = is_outward(ray);
+    let all = rays_sent_on(ray, &hit);
+    let goes_through = |onward: &Ray| is_outward(onward) == leaves;
+    let counts = |&number: &usize| {
+        let way = plain.objects.get(number).and_then(|object| object.way);
+        way.and_then(Way::index) != Some(1.0)
+    };
+    let mut ask = |asked: bool, feature| {
+        if asked {
+            plain.of_glass.insert(feature);
+        }
+    };
+    // Within an index of 1 an index is what it is outside.
+    let is_met_within = !leaves && way.index().is_some() && inside.iter().any(counts);
+    ask(is_met_within, Feature::NestedGlass);
+    let is_new = leaves && way.is_clear() && !inside.contains(&number);
+    ask(is_new, Feature::GlassFromBehind);
+    let is_total = way.is_lit() && way.is_clear() && !all.iter().any(goes_through);
+    ask(is_total, Feature::TotalReflection);
+    for onward in all {
+        let mut inside = inside.to_vec();
+        if goes_through(&onward) {
+            if leaves {
+                inside.retain(|&object| object != number);
+            } else {
+                inside.push(number);
+            }
+        }
+        follow(plain, scene, &onward, left - 1, &inside);
     }
 }
 

@@ -22,11 +22,9 @@ pub(super) fn texture(plain: &Plain, object: &Placed, paint: &Paint) -> String {
             text += &layer;
         }
     }
-    match object.way {
-        Some(Way::Glass { ior, .. } | Way::Sum { ior, .. } | Way::Glaze { ior, .. }) => {
-            format!("{text}\n  interior {{ ior {} }}", number(ior))
-        }
-        Some(Way::Mirror { .. }) | None => text,
+    match object.way.and_then(Way::index) {
+        Some(ior) => format!("{text}\n  interior {{ ior {} }}", number(ior)),
+        None => text,
     }
 }
 
@@ -40,14 +38,9 @@ pub(super) fn has_gray_highlight(look: &Look) -> bool {
     matches!(look, Look::Lit { highlight: Some(([r, g, b], _)), .. } if r == g && g == b)
 }
 
-/// Whether light goes through, which in goldray it does not: only eye rays do, and
-/// those that are sent on.
+/// Whether light would go through.
 pub(super) fn is_clear(object: &Placed) -> bool {
-    match object.way {
-        Some(Way::Glass { .. }) => true,
-        Some(Way::Sum { transmit, .. }) => transmit != [0.0; 3],
-        Some(Way::Mirror { .. } | Way::Glaze { .. }) | None => false,
-    }
+    object.way.is_some_and(Way::is_clear)
 }
 
 /// The layers of one side, undermost first.
@@ -88,7 +81,7 @@ fn layers(plain: &Plain, object: &Placed, paint: &Paint, is_back: bool) -> Vec<S
             } else {
                 own(plain, object, paint, is_back, 0.0)
             };
-            if reflect != [0.0; 3] {
+            if reflect != [0.0; 3] || schlick {
                 let finish = format!("reflection {{ {} }}", grown(reflect, schlick));
                 layers.push(format!("texture {{ pigment {{ rgbf 1 }} finish {{ {finish} }} }}"));
             }

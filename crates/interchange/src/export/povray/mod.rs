@@ -85,6 +85,8 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     if has_highlights && plain.shading == Shading::Radiometric {
         return Err([Feature::BlinnPhong, Feature::Radiometric].into());
     }
+    // What is lit is lit by lamps.
+    let has_shadows = plain.shadows && plain.objects.iter().any(|object| object.look.is_lit());
     let mut files = BTreeMap::new();
     let mut text = head(plain);
     for lamp in &plain.lamps {
@@ -93,6 +95,10 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
     for (number, object) in plain.objects.iter().enumerate() {
         if matches!(object.way, Some(Way::Glass { schlick: true, .. })) {
             return Err([Feature::Dielectric, Feature::Schlick].into());
+        }
+        // Below 1 it is the angle inside that counts, and POV-Ray takes the one outside.
+        if matches!(object.way, Some(Way::Glaze { ior, schlick: true }) if ior < 1.0) {
+            return Err([Feature::Glazed, Feature::Schlick].into());
         }
         if look::is_clear(object)
             && look::has_highlight(&object.look)
@@ -107,9 +113,14 @@ pub(super) fn write(plain: &Plain) -> Result<Exported, BTreeSet<Feature>> {
         let is_clear = look::is_clear(object);
         let no_shadow = if plain.shadows && !is_clear { "" } else { " no_shadow" };
         put(&mut text, format_args!("{shape}\n  {look}{no_shadow}\n}}\n"));
-        if is_clear && plain.shadows {
+        if is_clear && has_shadows {
             // Where light would shine through, another one stands that only casts a shadow.
-            put(&mut text, format_args!("{shape}\n  {BLACK} no_image no_reflection\n}}\n"));
+            // The eye must not be in it as well, or it is in two objects.
+            let inverse = if object.holds_eye { " inverse" } else { "" };
+            put(
+                &mut text,
+                format_args!("{shape}\n  {BLACK} no_image no_reflection{inverse}\n}}\n"),
+            );
         }
     }
     files.insert(MAIN.to_owned(), text.into_bytes());

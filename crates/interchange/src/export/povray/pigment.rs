@@ -53,7 +53,7 @@ impl Paint {
                 paint.pattern = Pattern::Checker { function, colors: [*a, *b] };
             }
             Texture::Image { file, filter, wrap, encoding, scale, offset } => {
-                let bytes = plain.textures.get(file).map(Vec::as_slice).unwrap_or_default();
+                let Some(picture) = plain.textures.get(file) else { return paint };
                 let name = format!("texture-{number}.png");
                 let gamma = match encoding {
                     TexelEncoding::Srgb => "srgb",
@@ -73,7 +73,7 @@ impl Paint {
                     Wrap::Repeat => [u, v],
                     // From the middle of the first texel to that of the last.
                     Wrap::Clamp => {
-                        let [width, height] = png_size(bytes);
+                        let [width, height] = picture.size;
                         let within = |x: &str, count: u32| {
                             let half = 0.5 / f64::from(count);
                             let (low, high) = (self::number(half), self::number(1.0 - half));
@@ -84,7 +84,7 @@ impl Paint {
                 };
                 let channel = |name: &str| format!("0.5*Texture{number}({u},{v},0).{name}");
                 paint.pattern = Pattern::Image(["red", "green", "blue"].map(channel));
-                files.insert(name, without_gamma(bytes));
+                files.insert(name, picture.png.clone());
             }
         }
         paint
@@ -117,7 +117,8 @@ impl Paint {
         };
         let (before, after) = &self.place;
         let after = if after.is_empty() { String::new() } else { format!(" {after}") };
-        format!("texture {{ {before}pigment {{ {pigment}{after} }} finish {{ {finish} }} }}")
+        // Not before the pigment, where no other layer could be above or below.
+        format!("texture {{ pigment {{ {before}{pigment}{after} }} finish {{ {finish} }} }}")
     }
 }
 
@@ -150,37 +151,4 @@ fn coordinates(object: &Placed) -> Option<[String; 2]> {
         Object::Mesh { .. } => Some(["x".to_owned(), "y".to_owned()]),
         _ => None,
     }
-}
-
-/// The signature of a PNG file.
-const SIGNATURE: usize = 8;
-
-/// The width and height of a PNG file that was read before.
-fn png_size(bytes: &[u8]) -> [u32; 2] {
-    let at = |start: usize| {
-        let four = bytes.get(start..start + 4).and_then(|four| four.try_into().ok());
-        four.map_or(1, u32::from_be_bytes)
-    };
-    // The first chunk has them after its length and name.
-    [at(SIGNATURE + 8), at(SIGNATURE + 12)]
-}
-
-/// The same PNG file without what it says of its own colors, which is not read in
-/// goldray and would be here.
-fn without_gamma(bytes: &[u8]) -> Vec<u8> {
-    let Some((signature, mut rest)) = bytes.split_at_checked(SIGNATURE) else {
-        return bytes.to_vec();
-    };
-    let mut kept = signature.to_vec();
-    while let Some(length) = rest.first_chunk::<4>() {
-        // With its length, name and sum.
-        let length = (u32::from_be_bytes(*length) as usize).saturating_add(12);
-        let (chunk, more) = rest.split_at(length.min(rest.len()));
-        // A name in capitals is one that the picture cannot be read without.
-        if chunk.get(4).is_some_and(u8::is_ascii_uppercase) {
-            kept.extend(chunk);
-        }
-        rest = more;
-    }
-    kept
 }

@@ -61,6 +61,19 @@ fn mirrors_and_glass_send_every_ray_on() {
              <float name=\"ext_ior\" value=\"1\"/>\
              <rgb name=\"specular_transmittance\" value=\"1, 0.5, 0\"/></bsdf>"],
     );
+    // Its indices are relative to what is outside, as ours are, wherever a ray comes from.
+    let glass = "material: Dielectric(ior: 1.5))";
+    let balls = [1, 2, 6]
+        .map(|radius| format!("Sphere(center: (0, 0, 0), radius: {radius}, {glass}"))
+        .join(", ");
+    let asked = Plain::new(&read(&format!("objects: [{balls}]")), &assets()).unwrap().asks;
+    assert!(asked.contains(&Feature::NestedGlass), "{asked:?}");
+    let triangle = format!("Triangle(a: (-1, -1, 4), b: (0, 1, 4), c: (1, -1, 4), {glass}");
+    let behind = format!("objects: [{balls}, {triangle}]");
+    let asked = Plain::new(&read(&behind), &assets()).unwrap().asks;
+    assert!(asked.contains(&Feature::GlassFromBehind), "{asked:?}");
+    let all = main_of(Dialect::Mitsuba, &behind);
+    assert_eq!(all.matches("<float name=\"int_ior\" value=\"1.5\"/>").count(), 4, "{all}");
     has_not(LIT, "bounces");
     let mirror = made_of("Mirror(schlick: true)");
     refused(Dialect::Mitsuba, &mirror, &[Feature::Schlick]);

@@ -128,6 +128,103 @@ fn what_is_seen_in_mirrors_counts() {
     asks(&glass, Feature::Dielectric, true);
 }
 
+/// Two balls, one in the other, of these materials.
+fn one_in_another(outer: &str, inner: &str) -> String {
+    format!(
+        "objects: [Sphere(center: (0, 0, 0), radius: 2, material: {outer}), \
+         Sphere(center: (0, 0, 0), radius: 1, material: {inner})], \
+         lights: [Point(position: (0, 9, 9))]"
+    )
+}
+
+#[test]
+fn glass_in_glass_is_asked_for_where_rays_meet_it() {
+    let nested = |outer: &str, inner: &str, is_asked| {
+        asks(&one_in_another(outer, inner), Feature::NestedGlass, is_asked);
+    };
+    let glass = "Dielectric(ior: 1.5)";
+    let sum = "Whitted(transmit: (0.5, 0.5, 0.5), ior: 1.5)";
+    nested(glass, glass, true);
+    nested(sum, glass, true);
+    nested(glass, sum, true);
+    nested(glass, "Glazed(ior: 1.5)", true);
+    // What these show does not depend on what is around them.
+    nested(glass, "Glazed(ior: 1.5, schlick: true)", false);
+    nested(glass, "Whitted(reflect: (0.5, 0.5, 0.5))", false);
+    nested(glass, "Mirror()", false);
+    // An index counts from what is around, and from 1 as if nothing were.
+    nested(glass, "Dielectric(ior: 1)", true);
+    nested("Dielectric(ior: 1)", glass, false);
+    // These let nothing in.
+    nested("Glazed(ior: 1.5)", glass, false);
+    nested("Whitted(ior: 1.5)", glass, false);
+    let nested = one_in_another(glass, glass);
+    asks(&format!("{nested}, bounces: 1"), Feature::NestedGlass, false);
+    // One behind the other: the first was left before.
+    let apart = nested.replace("(0, 0, 0), radius: 1", "(0, 0, -4), radius: 1");
+    asks(&apart, Feature::NestedGlass, false);
+    // The eye is in what the first plane glazes, and so are the balls.
+    let one = apart.replacen(
+        "Sphere",
+        "Plane(point: (0, -3, 0), normal: (0, N, 0), material: \
+                                        Glazed(ior: 1.5)), Sphere",
+        1,
+    );
+    asks(&one.replace('N', "1"), Feature::NestedGlass, false);
+    asks(&one.replace('N', "-1"), Feature::NestedGlass, true);
+}
+
+#[test]
+fn glass_that_was_not_entered_is_asked_for_where_it_is_left() {
+    let behind = |object: &str, is_asked| {
+        let material = "material: Dielectric(ior: 1.5)";
+        let objects = format!("objects: [{}]", object.replace("glass", material));
+        asks(&objects, Feature::GlassFromBehind, is_asked);
+    };
+    behind("Triangle(a: (-1, -1, 0), b: (1, -1, 0), c: (0, 1, 0), glass)", false);
+    behind("Triangle(a: (-1, -1, 0), b: (0, 1, 0), c: (1, -1, 0), glass)", true);
+    behind("Sphere(center: (0, 0, 0), radius: 1, glass)", false);
+    // A disk has no inside, be the eye far from it or near.
+    behind("Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1, glass)", true);
+    behind("Disk(center: (0, 0, 4.5), normal: (0, 0, -1), radius: 1, glass)", true);
+    // The eye is in it, or behind it, and in nothing else.
+    let around = |more: &str| {
+        [
+            "Sphere(center: (0, 0, 4), radius: 2, glass)",
+            "Box(min: (-1, -1, 4), max: (1, 1, 6), glass)",
+            "Plane(point: (0, 0, 0), normal: (0, 0.1, -1), glass)",
+            "Cylinder(a: (0, 0, 4), b: (0, 0, 6), radius: 1, glass)",
+            "Cone(apex: (0, 0, 8), base: (0, 0, 4), radius: 2, glass)",
+            "Torus(center: (3, 0, 5), axis: (0, 1, 0), major_radius: 3, minor_radius: 1, glass)",
+            "Group(transform: [Scale(2, 1, 1), Translate(0, 0, 4)], objects: [\
+             Sphere(center: (0, 0, 0), radius: 2, glass)])",
+        ]
+        .map(|object| format!("{object}, {more}"))
+    };
+    for object in around("") {
+        behind(object.trim_end_matches(", "), false);
+    }
+    let parallel = "camera: Parallel(view_point: (0, 0, 5), view_width: 8, view_height: 6)";
+    let ball = "objects: [Sphere(center: (0, 0, 4), radius: 2, material: Dielectric(ior: 1.5))]";
+    asks(&format!("{ball}, {parallel}"), Feature::GlassFromBehind, true);
+    for object in around("Plane(point: (0, 0, 9), normal: (0, 0, 1))") {
+        behind(&object, true);
+    }
+}
+
+#[test]
+fn total_reflection_is_asked_for_of_sums() {
+    let total = |material: &str, is_asked| {
+        let ball = format!("radius: 1, material: {material}");
+        asks(&LIT.replace("radius: 1", &ball), Feature::TotalReflection, is_asked);
+    };
+    total("Whitted(transmit: (0.5, 0.5, 0.5), ior: 0.6)", true);
+    total("Whitted(transmit: (0.5, 0.5, 0.5), reflect: (0.2, 0.2, 0.2), ior: 0.6)", true);
+    total("Whitted(transmit: (0.5, 0.5, 0.5), reflect: (0.2, 0.2, 0.2), ior: 1.5)", false);
+    total("Whitted(reflect: (0.2, 0.2, 0.2), ior: 0.6)", false);
+    total("Dielectric(ior: 0.6)", false);
+}
+
 #[test]
 fn the_gap_before_shadows_is_asked_for_where_it_is_seen() {
     let near = |z| {

@@ -176,13 +176,9 @@ fn mirrors_and_glass() {
         ],
     );
     let fresnel = "finish { reflection { rgb 0, rgb 1 fresnel on } conserve_energy } }";
-    // It casts a shadow by another one, which is not seen.
     look(
         "Dielectric(ior: 1.5, tint: (1, 0.5, 1))",
-        &[
-            &format!("  texture {{ pigment {{ rgbf <1,0.5,1,1> }} {fresnel}"),
-            "  texture { pigment { rgb 0 } } no_image no_reflection",
-        ],
+        &[&format!("  texture {{ pigment {{ rgbf <1,0.5,1,1> }} {fresnel}")],
     );
     let lit = "  texture { pigment { rgb <1,1,1> } finish { diffuse 1 } }";
     look("Glazed(ior: 1.5)", &[lit, &format!("  texture {{ pigment {{ rgbf 1 }} {fresnel}")]);
@@ -196,6 +192,10 @@ fn mirrors_and_glass() {
     );
     let reflecting = "  texture { pigment { rgbf 1 } finish { reflection { rgb <0.5,0.5,0.5> } } }";
     look("Whitted(reflect: (0.5, 0.5, 0.5))", &[lit, reflecting]);
+    // By Schlick's law nothing straight on is all of it along the surface.
+    let growing =
+        "  texture { pigment { rgbf 1 } finish { reflection { rgb <0,0,0>, rgb 1 falloff 5 } } }";
+    look("Whitted(schlick: true)", &[lit, growing]);
     look(
         "Whitted(reflect: (0.5, 0.5, 0.5), transmit: (0.25, 0, 0), ior: 1.5)",
         &[
@@ -208,6 +208,16 @@ fn mirrors_and_glass() {
     let glass = LIT.replace("radius: 1", "radius: 1, material: Dielectric(ior: 1.5)");
     check(&glass, "interior", &["  interior { ior 1.5 } no_shadow"]);
     check(&format!("{glass}, shadows: false"), "interior", &["  interior { ior 1.5 } no_shadow"]);
+    // Another one that casts shadows stands where there are any.
+    let twin = "  texture { pigment { rgb 0 } } no_image no_reflection";
+    let floor =
+        glass.replace("objects: [", "objects: [Plane(point: (0, -1, 0), normal: (0, 1, 0)), ");
+    check(&floor, "texture { pigment { rgb 0 }", &[twin]);
+    check(&floor.replace("Point(position: (3, 4, 5))", ""), "texture { pigment { rgb 0 }", &[]);
+    check(&format!("{floor}, shadows: false"), "texture { pigment { rgb 0 }", &[]);
+    // The eye is in the glass alone.
+    let around = floor.replace("center: (0, 0, 0)", "center: (0, 0, 5)");
+    check(&around, "texture { pigment { rgb 0 }", &[&format!("{twin} inverse")]);
     let levels = |fields: &str| lines(fields, "global_settings").concat();
     assert!(levels(LIT).ends_with("max_trace_level 1 }"));
     assert!(levels(&glass).ends_with("max_trace_level 6 adc_bailout 0 }"));
@@ -248,6 +258,27 @@ fn textures() {
     }
     let text = main_of(Dialect::PovRay, &format!("{in_group}, show: SurfaceColor"));
     assert!(text.contains("function { 0.25"), "{text}");
+}
+
+#[test]
+fn a_textured_mesh_may_have_layers() {
+    let quad = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+    let assets = BTreeMap::from([("a.obj".to_owned(), quad.into())]);
+    let fields = "objects: [Mesh(file: \"a.obj\", material: Whitted(reflect: (0.5, 0.5, 0.5), \
+                  texture: Checker(a: (1, 1, 1), b: (0, 0, 1))))], lights: [Point(position: (0, \
+                  0, 4))]";
+    let exported = export(Dialect::PovRay, &read(fields), &assets).unwrap();
+    let text = text(&exported, &exported.main);
+    let layers: Vec<_> = text.lines().filter(|line| line.starts_with("  texture")).collect();
+    assert_eq!(
+        layers,
+        [
+            "  texture { pigment { uv_mapping function { \
+             0.25+0.5*abs(mod(floor(((1)*(x)+(0)))+floor(((1)*(y)+(0))),2)) } color_map { \
+             [0.5 rgb <1,1,1>] [0.5 rgb <0,0,1>] } } finish { diffuse 1 } }",
+            "  texture { pigment { rgbf 1 } finish { reflection { rgb <0.5,0.5,0.5> } } }",
+        ]
+    );
 }
 
 #[test]
@@ -298,10 +329,23 @@ fn what_it_cannot_say_is_refused() {
     let glass = "radius: 1, material: Dielectric(ior: 1.5, schlick: true)";
     let glass = LIT.replace("radius: 1", glass);
     refused(Dialect::PovRay, &glass, &[Feature::Dielectric, Feature::Schlick]);
+    let thin = "radius: 1, material: Glazed(ior: 0.7, schlick: true)";
+    let thin = LIT.replace("radius: 1", thin);
+    refused(Dialect::PovRay, &thin, &[Feature::Glazed, Feature::Schlick]);
     let colored =
         "radius: 1, material: Whitted(specular: (1, 0, 0), exponent: 1e3, transmit: (1, 1, 1))";
     let colored = LIT.replace("radius: 1", colored);
     refused(Dialect::PovRay, &colored, &[Feature::Whitted, Feature::ColoredHighlight]);
+    let around = "objects: [Sphere(center: (0, 0, 0), radius: 2, material: OUTER), \
+                  Sphere(center: (0, 0, 0), radius: 1, material: Dielectric(ior: 1.5))]";
+    let nested = around.replace("OUTER", "Dielectric(ior: 1.2)");
+    refused(Dialect::PovRay, &nested, &[Feature::NestedGlass]);
+    let total =
+        LIT.replace("radius: 1", "radius: 1, material: Whitted(transmit: (1, 1, 1), ior: 0.6)");
+    refused(Dialect::PovRay, &total, &[Feature::TotalReflection]);
+    let triangle = "objects: [Triangle(a: (-1, -1, 0), b: (0, 1, 0), c: (1, -1, 0), material: \
+                    Dielectric(ior: 1.5))]";
+    refused(Dialect::PovRay, triangle, &[Feature::GlassFromBehind]);
     let low = "objects: [Disk(center: (0, 0, 0), normal: (0, 0, 1), radius: 1)], \
                lights: [Point(position: (9, 0, -1))]";
     refused(Dialect::PovRay, &low.replace("radius: 1", glossy), &[Feature::HighlightFromBehind]);
