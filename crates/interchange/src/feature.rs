@@ -99,15 +99,13 @@ features! {
         Glazed,
         /// Schlick's law for what is reflected.
         Schlick,
-        /// Glass or a glaze that is met within other glass. Only writers of scenes
-        /// ask for it, who look at the picture for it.
+        /// Glass or a glaze that is met within other glass. Only where the picture
+        /// shows it.
         NestedGlass,
         /// Glass that is met from behind by a ray that has not entered it, unless the
-        /// eye is in it and in nothing else. Only writers of scenes ask for it, who look at
-        /// the picture for it.
+        /// eye is in it and in nothing else. Only where the picture shows it.
         GlassFromBehind,
-        /// Total reflection by Whitted's sum. Only writers of scenes ask for it, who
-        /// look at the picture for it.
+        /// Total reflection by Whitted's sum. Only where the picture shows it.
         TotalReflection,
     }
     "textures": {
@@ -190,6 +188,9 @@ impl Feature {
                 | Self::ShadowGap
                 | Self::BackSides
                 | Self::HighlightFromBehind
+                | Self::NestedGlass
+                | Self::GlassFromBehind
+                | Self::TotalReflection
         )
     }
 }

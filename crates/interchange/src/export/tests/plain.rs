@@ -310,4 +310,16 @@ fn a_scene_asks_for_what_its_file_says_and_what_its_picture_shows() {
     let back = "Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1, \
                 material: BlinnPhong(specular: (1, 0, 0), exponent: 1))";
     all_of(&lit(back, &white), &[ColoredHighlight, BackSides]);
+    let glass = |radius: f64, material: &str| {
+        format!("Sphere(center: (0, 0, 0), radius: {radius}, material: {material})")
+    };
+    let outer = glass(2.0, "Dielectric(ior: 1.5)");
+    let nested = format!("{outer}, {}", glass(1.0, "Dielectric(ior: 1.2)"));
+    all_of(&format!("objects: [{outer}]"), &[]);
+    all_of(&format!("objects: [{nested}]"), &[NestedGlass]);
+    let back = "Disk(center: (0, 0, 0), normal: (0, 0, -1), radius: 1, \
+                material: Dielectric(ior: 1.5))";
+    all_of(&format!("objects: [{back}]"), &[GlassFromBehind]);
+    let sum = glass(2.0, "Whitted(transmit: (1, 1, 1), ior: 0.7)");
+    all_of(&format!("objects: [{sum}]"), &[TotalReflection]);
 }
