@@ -106,6 +106,28 @@ fn a_floor_of_each_material_under_the_sky() {
     assert_eq!(color(&floor, -DVec3::Y, DVec3::Y), [0.0; 3]);
 }
 
+#[test]
+fn rays_that_are_sent_on_are_those_that_show_something() {
+    let way = Ray::new(DVec3::Y, dvec3(0.6, -0.8, 0.0));
+    let sent = |material: Material| {
+        let scene = scene(vec![object(plane(DVec3::ZERO, DVec3::Y), material)], 5);
+        let hit = scene.world().intersect(&way, Interval::AHEAD).unwrap();
+        let on = rays_sent_on(&way, &hit);
+        on.iter().map(|ray| ray.direction.to_array()).collect::<Vec<_>>()
+    };
+    assert_eq!(sent(MIRROR), [[0.6, 0.8, 0.0]]);
+    let black = Material::Mirror { reflectance: Rgb::BLACK, schlick: false };
+    assert_eq!(sent(black), [[0.0; 3]; 0]);
+    assert_eq!(sent(Material::Lambert { diffuse: Rgb::WHITE }), [[0.0; 3]; 0]);
+    // Into a medium of index 3/4 the sine 3/5 becomes 4/5.
+    let [reflected, refracted] = sent(glass(0.75)).try_into().unwrap();
+    assert_eq!(reflected, [0.6, 0.8, 0.0]);
+    let expected = [0.8, -0.6, 0.0];
+    assert!(refracted.iter().zip(expected).all(|(f, e)| (f - e).abs() < 1e-15), "{refracted:?}");
+    // And of index 1/2 it would be 6/5.
+    assert_eq!(sent(glass(0.5)), [[0.6, 0.8, 0.0]]);
+}
+
 fn tint(ior: f64, tint: Rgb) -> Material {
     Material::Dielectric { ior, tint, schlick: false }
 }
